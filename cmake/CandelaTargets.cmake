@@ -1,0 +1,30 @@
+# How every target is compiled, said once.
+
+add_library(candela_flags INTERFACE)
+target_compile_features(candela_flags INTERFACE cxx_std_20)
+# Contraction would make results depend on the compiler; see docs/architecture.md, section 5.
+target_compile_options(candela_flags INTERFACE -ffp-contract=off)
+target_compile_options(candela_flags INTERFACE
+  $<BUILD_INTERFACE:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wimplicit-fallthrough>)
+if(CANDELA_WERROR)
+  target_compile_options(candela_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
+endif()
+if(CANDELA_SANITIZE)
+  target_compile_options(candela_flags INTERFACE
+    $<BUILD_INTERFACE:-fsanitize=${CANDELA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer>)
+  target_link_options(candela_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${CANDELA_SANITIZE}>)
+endif()
+
+# candela_library(NAME SOURCES ... LINK ... [PRIVATE_LINK ...])
+# One folder of src/. LINK names the folders it may include, and is the layering.
+function(candela_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(candela_${name} STATIC ${ARG_SOURCES})
+  add_library(Candela::${name} ALIAS candela_${name})
+  set_target_properties(candela_${name} PROPERTIES
+    EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(candela_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include/candela>)
+  target_link_libraries(candela_${name} PUBLIC candela_flags ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
+  set_property(GLOBAL APPEND PROPERTY CANDELA_LIBRARIES candela_${name})
+endfunction()

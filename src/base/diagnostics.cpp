@@ -1,0 +1,79 @@
+#include "base/diagnostics.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "base/text.h"
+
+namespace candela {
+namespace {
+
+constexpr size_t kLongestLine = 499;
+
+const std::string& FileName(const SourceLocation& where) {
+  static const std::string kNone;
+  return where.file ? *where.file : kNone;
+}
+
+void AddMoreLine(const std::string& file, size_t count, const char* what,
+                 std::vector<std::string>* lines) {
+  if (count <= Diagnostics::kMostPerFile) return;
+  const size_t more = count - Diagnostics::kMostPerFile;
+  lines->push_back(fmt::format("{}{}{} more {}{}", EscapeControl(file), file.empty() ? "" : ": ",
+                               more, what, more == 1 ? "" : "s"));
+}
+
+}  // namespace
+
+void Diagnostics::Error(SourceLocation where, std::string text) {
+  Add(Severity::kError, std::move(where), std::move(text));
+}
+
+void Diagnostics::Warning(SourceLocation where, std::string text) {
+  Add(Severity::kWarning, std::move(where), std::move(text));
+}
+
+void Diagnostics::Add(Severity severity, SourceLocation where, std::string text) {
+  Counts& counts = counts_[FileName(where)];
+  size_t& count = severity == Severity::kError ? counts.errors : counts.warnings;
+  ++(severity == Severity::kError ? error_count_ : warning_count_);
+  if (++count <= kMostPerFile) kept_.push_back({severity, std::move(where), std::move(text)});
+}
+
+void Diagnostics::Append(const Diagnostics& other) {
+  for (const Diagnostic& each : other.kept_) Add(each.severity, each.where, each.text);
+  // What the other one only counted still counts here.
+  for (const auto& [file, counts] : other.counts_) {
+    Counts& mine = counts_[file];
+    const size_t errors = counts.errors > kMostPerFile ? counts.errors - kMostPerFile : 0;
+    const size_t warnings = counts.warnings > kMostPerFile ? counts.warnings - kMostPerFile : 0;
+    mine.errors += errors;
+    mine.warnings += warnings;
+    error_count_ += errors;
+    warning_count_ += warnings;
+  }
+}
+
+bool Diagnostics::IsFull(const SourceLocation& file) const {
+  const auto found = counts_.find(FileName(file));
+  return found != counts_.end() && found->second.errors >= kMostPerFile;
+}
+
+std::vector<std::string> Diagnostics::Lines() const {
+  std::vector<std::string> lines;
+  for (const Diagnostic& each : kept_) {
+    const std::string place = ToString(each.where);
+    lines.push_back(CutTo(kLongestLine,
+                          fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
+                                      each.severity == Severity::kError ? "error" : "warning",
+                                      each.text)));
+  }
+  for (const auto& [file, counts] : counts_) {
+    AddMoreLine(file, counts.errors, "error", &lines);
+    AddMoreLine(file, counts.warnings, "warning", &lines);
+  }
+  return lines;
+}
+
+}  // namespace candela

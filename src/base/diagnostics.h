@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/source_location.h"
+
+namespace candela {
+
+enum class Severity { kError, kWarning };
+
+/// One thing that is wrong (or odd) in the input.
+struct Diagnostic {
+  Severity severity;
+  SourceLocation where;
+  std::string text;
+};
+
+/// Collects what is wrong in the input, so that one run shows all of it. Of each file the first 20
+/// errors and 20 warnings are kept in order of arrival; further ones are only counted.
+/// Not safe for concurrent use: give each task its own and `Append` them in a fixed order.
+class Diagnostics {
+ public:
+  static constexpr size_t kMostPerFile = 20;
+
+  void Error(SourceLocation where, std::string text);
+  void Warning(SourceLocation where, std::string text);
+  void Append(const Diagnostics& other);
+
+  bool HasErrors() const { return error_count_ > 0; }
+  size_t ErrorCount() const { return error_count_; }
+  size_t WarningCount() const { return warning_count_; }
+  const std::vector<Diagnostic>& All() const { return kept_; }
+
+  /// True once a file has shown its share of errors: readers may then stop looking for more.
+  bool IsFull(const SourceLocation& file) const;
+
+  /// One line each, "file:line:column: error: text", each under 500 characters, followed by a line
+  /// for each file that has more than is shown.
+  std::vector<std::string> Lines() const;
+
+ private:
+  struct Counts {
+    size_t errors = 0;
+    size_t warnings = 0;
+  };
+  void Add(Severity severity, SourceLocation where, std::string text);
+
+  std::vector<Diagnostic> kept_;
+  std::map<std::string, Counts> counts_;  // by file name
+  size_t error_count_ = 0;
+  size_t warning_count_ = 0;
+};
+
+}  // namespace candela

@@ -1,0 +1,17 @@
+#include "geometry/bounds3.h"
+
+namespace candela {
+
+Bounds3 TransformBounds(const Transform& transform, const Bounds3& bounds) {
+  if (bounds.IsEmpty()) return bounds;
+  if (!bounds.IsFinite()) return Bounds3::Infinite();
+  Bounds3 image;
+  for (int corner = 0; corner < 8; ++corner) {
+    image.Extend(transform.Point({corner & 1 ? bounds.max.x : bounds.min.x,
+                                  corner & 2 ? bounds.max.y : bounds.min.y,
+                                  corner & 4 ? bounds.max.z : bounds.min.z}));
+  }
+  return image;
+}
+
+}  // namespace candela

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "math/vec.h"
+
+namespace candela {
+
+/// What is known about a hit besides where along the ray it is. In object space when it comes from a
+/// shape, in world space when it comes from the scene.
+struct SurfacePoint {
+  Vec3 p;
+  Vec3 p_error;      ///< Bound on the error of `p` in each coordinate.
+  Vec3 n_geometric;  ///< Unit normal of the true surface, on the side its definition says.
+  Vec3 n_shading;    ///< Unit normal for shading; never flipped towards the viewer.
+};
+
+}  // namespace candela

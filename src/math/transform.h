@@ -1,0 +1,28 @@
+#pragma once
+
+#include "math/mat4.h"
+#include "math/vec.h"
+
+namespace candela {
+
+/// An affine map in single precision for the hot paths. Named after what it does, read right to
+/// left: `p_world = world_from_object.Point(p_object)`.
+class Transform {
+ public:
+  /// The identity.
+  Transform() = default;
+  explicit Transform(const Mat4& matrix);
+
+  Vec3 Point(Vec3 p) const { return x_ * p.x + y_ * p.y + z_ * p.z + offset_; }
+  Vec3 Vector(Vec3 v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
+
+  /// Multiplies by the transpose of the linear part. A normal goes from object to world by the
+  /// inverse transpose, so: `n_world = object_from_world.TransposedVector(n_object)`, to normalise.
+  Vec3 TransposedVector(Vec3 v) const { return {Dot(x_, v), Dot(y_, v), Dot(z_, v)}; }
+
+ private:
+  Vec3 x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1};  // columns: images of the axes
+  Vec3 offset_;
+};
+
+}  // namespace candela

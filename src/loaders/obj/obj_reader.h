@@ -11,13 +11,13 @@
 namespace candela {
 
 /// Reads the geometry of a Wavefront OBJ text: v, vn and f lines; the other known keywords have no
-/// effect. Polygons become triangles. What is wrong goes to `diagnostics` under the name `file`; the
-/// mesh is then incomplete and not to be used.
+/// effect. Polygons become triangles. What is wrong goes to `diagnostics` under the name `file`;
+/// the mesh is then incomplete and not to be used.
 MeshSpec ParseObj(std::shared_ptr<const std::string> file, std::string_view text,
                   Diagnostics* diagnostics);
 
-/// The same for the file `path`. `asked` is the place that asks for it: a missing or unreadable file
-/// is reported there. Returns null when anything was wrong.
+/// The same for the file `path`. `asked` is the place that asks for it: a missing or unreadable
+/// file is reported there. Returns null when anything was wrong.
 std::shared_ptr<const MeshSpec> LoadObj(const std::filesystem::path& path,
                                         const SourceLocation& asked, Diagnostics* diagnostics);
 

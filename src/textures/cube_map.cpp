@@ -38,8 +38,8 @@ Rgb Blend(const Raster<T>& face, float u, float v) {
   constexpr float kScale = 1.0f / std::numeric_limits<T>::max();
   const float x = u * static_cast<float>(face.Width());
   const float y = (1 - v) * static_cast<float>(face.Height());
-  const int x0 = static_cast<int>(x);
-  const int y0 = static_cast<int>(y);
+  const int x0 = x > 0 ? static_cast<int>(x) : 0;  // A NaN is not to be converted.
+  const int y0 = y > 0 ? static_cast<int>(y) : 0;
   const float fx = x - static_cast<float>(x0);
   const float fy = y - static_cast<float>(y0);
   const auto texel = [&](int column, int row) {

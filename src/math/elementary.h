@@ -12,4 +12,7 @@ double SinDegrees(double degrees);
 double CosDegrees(double degrees);
 double TanDegrees(double degrees);
 
+/// Binary logarithm of a positive number.
+double Log2(double x);
+
 }  // namespace candela

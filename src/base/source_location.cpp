@@ -8,7 +8,7 @@ namespace candela {
 
 std::string DisplayName(const std::string& file) {
   constexpr size_t kLongest = 300;  // A line of 500 characters keeps room for what is wrong.
-  const std::string name = EscapeControl(file);
+  std::string name = EscapeControl(file);
   if (name.size() <= kLongest) return name;
   size_t start = name.size() - (kLongest - 3);
   while (IsUtf8Continuation(name[start])) ++start;

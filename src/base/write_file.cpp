@@ -163,7 +163,7 @@ Result<void> CheckWritable(const fs::path& path) {
     return {};
   }
   const fs::path target = ResolveLinks(path);
-  if (const Result<void> place = CheckPlace(target); !place) return place;
+  if (Result<void> place = CheckPlace(target); !place) return place;
   const fs::path temporary = TemporaryFor(target);
   const Descriptor probe(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (!probe.ok()) return OutputError("cannot be written");
@@ -174,7 +174,7 @@ Result<void> CheckWritable(const fs::path& path) {
 Result<void> WriteFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
   if (IsWrittenDirectly(path)) return WriteDirectly(path, bytes);
   const fs::path target = ResolveLinks(path);
-  if (const Result<void> place = CheckPlace(target); !place) return place;
+  if (Result<void> place = CheckPlace(target); !place) return place;
 
   RemoveLeftovers(target);
   const fs::path temporary = TemporaryFor(target);
@@ -182,7 +182,7 @@ Result<void> WriteFileAtomically(const fs::path& path, std::span<const std::byte
     std::memcpy(unfinished_path, temporary.c_str(), temporary.native().size() + 1);
     is_unfinished = true;
   }
-  const Result<void> written = WriteTemporary(temporary, target, bytes);
+  Result<void> written = WriteTemporary(temporary, target, bytes);
   if (!written) ::unlink(temporary.c_str());
   is_unfinished = false;
   if (!written) return written;

@@ -65,15 +65,9 @@ std::vector<std::string> Diagnostics::Lines() const {
   for (const Diagnostic& each : kept_) {
     const std::string place = ToString(each.where);
     lines.push_back(
-<<<<<<< HEAD
-        CutTo(kLongestLine,
-              fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
-                          each.severity == Severity::kError ? "error" : "warning", each.text)));
-=======
         CutTo(kLongestLine, fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
                                         each.severity == Severity::kError ? "error" : "warning",
                                         EscapeControl(each.text))));
->>>>>>> tooling
   }
   for (const auto& [file, counts] : counts_) {
     AddMoreLine(file, counts.errors, "error", &lines);

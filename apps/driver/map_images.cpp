@@ -1,4 +1,4 @@
-#include "apps/driver/map_images.h"
+#include "driver/map_images.h"
 
 namespace candela {
 namespace {

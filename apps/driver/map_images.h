@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "apps/driver/render_request.h"
+#include "driver/render_request.h"
 #include "image/image_file.h"
 #include "image/raster.h"
 #include "integrators/first_hit.h"

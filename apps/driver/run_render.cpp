@@ -7,13 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "apps/driver/map_images.h"
-#include "apps/driver/render_request.h"
 #include "base/clock.h"
 #include "base/diagnostics.h"
 #include "base/files.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "driver/map_images.h"
+#include "driver/render_request.h"
 #include "image/image_file.h"
 #include "loaders/course/scene_parser.h"
 #include "render/render_first_hits.h"

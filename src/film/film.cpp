@@ -47,7 +47,7 @@ void FilmTile::Add(int x, int y, Rgb radiance, float weight) {
 
 Film::Film(PixelWindow window, Keep keep) : window_(window), colours_(3 * PixelCount(window)) {
   CHECK(window.x0 < window.x1 && window.y0 < window.y1);
-  if (keep == Keep::kSums) sums_.resize(PixelCount(window));
+  if (keep == Keep::kSums) sums_ = ZeroedArray<PixelSums>(PixelCount(window));
 }
 
 size_t Film::IndexOf(int x, int y) const {
@@ -61,7 +61,7 @@ void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
   tile->window_ = window;
   tile->dropped_samples_ = 0;
   tile->sums_.assign(PixelCount(window), PixelSums());
-  if (sums_.empty()) return;
+  if (!sums_) return;
   const auto width = static_cast<size_t>(window.Width());
   for (int y = window.y0; y < window.y1; ++y) {
     std::copy_n(&sums_[IndexOf(window.x0, y)], width,
@@ -78,7 +78,7 @@ void Film::EndTile(const FilmTile& tile) {
       colours_[3 * index] = colour.x;
       colours_[3 * index + 1] = colour.y;
       colours_[3 * index + 2] = colour.z;
-      if (!sums_.empty()) sums_[index] = *sums;
+      if (sums_) sums_[index] = *sums;
     }
   }
   dropped_samples_.fetch_add(tile.dropped_samples_, std::memory_order_relaxed);
@@ -90,8 +90,7 @@ Rgb Film::Pixel(int x, int y) const {
 }
 
 std::span<const float> Film::Row(int y) const {
-  return std::span(colours_).subspan(3 * IndexOf(window_.x0, y),
-                                     3 * static_cast<size_t>(window_.Width()));
+  return {&colours_[3 * IndexOf(window_.x0, y)], 3 * static_cast<size_t>(window_.Width())};
 }
 
 }  // namespace candela

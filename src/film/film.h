@@ -2,6 +2,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -20,6 +23,26 @@ struct PixelWindow {
     return other.x0 >= x0 && other.y0 >= y0 && other.x1 <= x1 && other.y1 <= y1;
   }
   friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
+};
+
+/// Zeros straight from the system: a page costs nothing until it is first touched, which the
+/// workers do in parallel. For types whose zero bytes mean zero.
+template <class T>
+class ZeroedArray {
+ public:
+  ZeroedArray() = default;
+  explicit ZeroedArray(size_t count) : items_(static_cast<T*>(std::calloc(count, sizeof(T)))) {
+    if (items_ == nullptr) throw std::bad_alloc();
+  }
+  explicit operator bool() const { return items_ != nullptr; }
+  T& operator[](size_t i) { return items_.get()[i]; }
+  const T& operator[](size_t i) const { return items_.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* items) const { std::free(items); }
+  };
+  std::unique_ptr<T, Free> items_;
 };
 
 /// Everything a pixel has to remember to be continued: exact, so that no order of samples shows.
@@ -89,8 +112,8 @@ class Film {
   size_t IndexOf(int x, int y) const;
 
   PixelWindow window_;
-  std::vector<float> colours_;
-  std::vector<PixelSums> sums_;  ///< empty for `Keep::kColours`
+  ZeroedArray<float> colours_;
+  ZeroedArray<PixelSums> sums_;  ///< null for `Keep::kColours`
   std::atomic<uint64_t> dropped_samples_{0};
 };
 

@@ -72,13 +72,18 @@ PixelFilter::PixelFilter(const PixelFilterEntry& entry)
   for (double& value : integral_) value /= total;
   for (double& value : magnitude_) value /= total;
   weight_ = total / signed_integral;
+
+  uint16_t cell = 0;
+  for (int i = 0; i < kCells; ++i) {
+    while (integral_[cell + 1u] <= static_cast<double>(i) / kCells) ++cell;
+    guide_.push_back(cell);
+  }
 }
 
 PixelFilter::AxisSample PixelFilter::SampleAxis(float u) const {
-  // The last node whose integral is at most u; cells without area are skipped by `upper_bound`.
-  const auto above = std::upper_bound(integral_.begin(), integral_.end(), static_cast<double>(u));
-  const auto cell =
-      std::min(static_cast<size_t>(above - integral_.begin()) - 1, size_t{kCells - 1});
+  // The guide gives a cell at or a little before the one that holds u.
+  size_t cell = guide_[static_cast<size_t>(u * kCells)];
+  while (cell + 1 < kCells && integral_[cell + 1] <= static_cast<double>(u)) ++cell;
 
   // Within the cell the magnitude runs from a to b, so its integral is a t + (b - a) t^2 / 2. This
   // form of the root of the quadratic does not cancel.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,9 @@ class PixelFilter {
   std::vector<double> magnitude_;
   std::vector<double> integral_;
   std::vector<double> sign_;
+  // For each equal part of [0, 1) the cell in which it begins, to search from: the guide tables of
+  // H. Chen and Y. Asau, "On generating random variates from an empirical distribution" (1974).
+  std::vector<uint16_t> guide_;
   double radius_;
   double step_;
   double weight_;  ///< magnitude of the weight along one axis

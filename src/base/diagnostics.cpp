@@ -64,10 +64,10 @@ std::vector<std::string> Diagnostics::Lines() const {
   std::vector<std::string> lines;
   for (const Diagnostic& each : kept_) {
     const std::string place = ToString(each.where);
-    lines.push_back(CutTo(kLongestLine,
-                          fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
-                                      each.severity == Severity::kError ? "error" : "warning",
-                                      each.text)));
+    lines.push_back(
+        CutTo(kLongestLine,
+              fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
+                          each.severity == Severity::kError ? "error" : "warning", each.text)));
   }
   for (const auto& [file, counts] : counts_) {
     AddMoreLine(file, counts.errors, "error", &lines);

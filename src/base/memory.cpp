@@ -73,7 +73,9 @@ uint64_t ControlGroupsLeave() {
 
 }  // namespace
 
-uint64_t AvailableMemory() { return std::min(SystemAvailable(), ControlGroupsLeave()); }
+uint64_t AvailableMemory() {
+  return std::min(SystemAvailable(), ControlGroupsLeave());
+}
 
 uint64_t PeakMemory() {
   rusage usage{};

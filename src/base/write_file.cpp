@@ -84,7 +84,8 @@ void RemoveLeftovers(const fs::path& path) {
        !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(start) || !name.ends_with(kEnd)) continue;
-    const std::string digits = name.substr(start.size(), name.size() - start.size() - sizeof kEnd + 1);
+    const std::string digits =
+        name.substr(start.size(), name.size() - start.size() - sizeof kEnd + 1);
     if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) continue;
     const long pid = std::strtol(digits.c_str(), nullptr, 10);
     const bool is_gone = ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH;
@@ -119,7 +120,7 @@ Result<void> WriteTemporary(const fs::path& temporary, const fs::path& target,
                             std::span<const std::byte> bytes) {
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file.ok()) return OutputError("cannot be written");
-  struct stat old{};
+  struct stat old {};
   if (::stat(target.c_str(), &old) == 0 && ::fchmod(file.get(), old.st_mode & 07777) != 0) {
     return OutputError("cannot keep the mode of the old file");
   }

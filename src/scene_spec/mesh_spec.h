@@ -16,9 +16,10 @@ struct MeshSpec {
   using Corners = std::array<uint32_t, 3>;
 
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;             ///< As in the file, not normalised; may be empty.
-  std::vector<Corners> triangles;        ///< Into `positions`, counter-clockwise from outside.
-  std::vector<Corners> normal_corners;   ///< Into `normals` or `kNoNormal`; empty when no corner has one.
+  std::vector<Vec3> normals;       ///< As in the file, not normalised; may be empty.
+  std::vector<Corners> triangles;  ///< Into `positions`, counter-clockwise from outside.
+  std::vector<Corners>
+      normal_corners;  ///< Into `normals` or `kNoNormal`; empty when no corner has one.
 };
 
 }  // namespace candela

@@ -11,7 +11,9 @@ bool IsBlank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
 }
 
-bool EndsWord(char c) { return IsBlank(c) || c == '{' || c == '}' || c == '#'; }
+bool EndsWord(char c) {
+  return IsBlank(c) || c == '{' || c == '}' || c == '#';
+}
 
 }  // namespace
 

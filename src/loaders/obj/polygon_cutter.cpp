@@ -32,7 +32,7 @@ std::span<const PolygonCutter::Triangle> PolygonCutter::Cut(std::span<const Vec3
     next_[i] = i + 1 == count ? 0 : i + 1;
     previous_[i] = i == 0 ? count - 1 : i - 1;
   }
-  if (!Project(corners) || IsConvex()) {
+  if (!Project(corners) || IsFan()) {
     Fan(0, count);
   } else {
     ClipEars();
@@ -59,13 +59,16 @@ bool PolygonCutter::Project(std::span<const Vec3> corners) {
   return true;
 }
 
-/// Turning left everywhere is not enough (a star drawn in one stroke does): a convex polygon also
-/// goes to the right once and to the left once.
-bool PolygonCutter::IsConvex() const {
+/// True for convex polygons whose fan from the first corner has no triangle without area, as
+/// collinear corners beside the first one would give.
+bool PolygonCutter::IsFan() const {
+  // Turning left everywhere is not enough (a star drawn in one stroke does): a convex polygon also
+  // goes to the right once and to the left once.
   int reversals = 0;
   for (uint32_t b = 0; b < points_.size(); ++b) {
     const Vec2 before = points_[previous_[b]], here = points_[b], after = points_[next_[b]];
     if (Orient(before, here, after) < 0 || TurnsBack(before, here, after)) return false;
+    if (b != 0 && next_[b] != 0 && Orient(points_[0], here, after) <= 0) return false;
     if (IsBefore(before, here) != IsBefore(here, after)) ++reversals;
   }
   return reversals == 2;

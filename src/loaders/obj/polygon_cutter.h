@@ -12,22 +12,21 @@ namespace candela {
 
 /// Cuts polygons into triangles. Convex ones become a fan from the first corner, others are cut by
 /// ear clipping [Meisters 1975; O'Rourke, Computational Geometry in C, section 1.6], seen along the
-/// axis of space that is nearest to Newell's normal. About n * sqrt(n) steps for n corners, and no
-/// input takes more than a few times that. Keeps its memory from one polygon to the next; one per
-/// thread.
+/// axis of space that is nearest to Newell's normal. Takes about n * sqrt(n) steps for n corners.
+/// Keeps its memory from one polygon to the next; one per thread.
 class PolygonCutter {
  public:
   using Triangle = std::array<uint32_t, 3>;
 
-  /// Corner numbers of the triangles, turning as the polygon does; valid until the next call. No
-  /// corners are added; triangles without area may be among them (a fan over collinear corners).
-  /// Repeated corners and spikes are legal. A polygon that crosses itself, or whose net area is
-  /// zero, has no right answer: what ear clipping leaves of it becomes a fan.
+  /// Corner numbers of the triangles, which turn as the polygon does; valid until the next call.
+  /// Collinear corners become corners of triangles too; repeated corners and spikes may be left
+  /// out. A polygon that crosses itself, or whose net area is zero, has no right answer: what ear
+  /// clipping leaves of it becomes a fan, in which triangles may lack area or turn the other way.
   std::span<const Triangle> Cut(std::span<const Vec3> corners);
 
  private:
   bool Project(std::span<const Vec3> corners);
-  bool IsConvex() const;
+  bool IsFan() const;
   void ClipEars();
   bool IsSpike(uint32_t corner) const;
   bool IsEar(uint32_t corner) const;

@@ -83,7 +83,8 @@ bool PointTree::HasPointIn(Vec2 a, Vec2 b, Vec2 c) const {
 
 bool PointTree::Search(const Triangle& triangle, uint32_t index) const {
   const Node& node = nodes_[index];
-  const auto& [a, b, c, low, high] = triangle;
+  const Vec2 a = triangle.a, b = triangle.b, c = triangle.c;
+  const Vec2 low = triangle.low, high = triangle.high;
   if (node.left == 0) return false;
   if (node.low.x > high.x || node.high.x < low.x || node.low.y > high.y || node.high.y < low.y) {
     return false;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <variant>
 
 #include "base/diagnostics.h"
 #include "image/raster.h"
@@ -17,8 +18,9 @@ namespace candela {
 /// concurrently.
 class CubeMap {
  public:
-  /// Reads left, right, up, down, front and back `.png` from `folder`. What is wrong is reported
-  /// under the file's name; a file that cannot be read is reported at `asked`, the place that asks.
+  /// Reads left, right, up, down, front and back `.png` from `folder`: of any size each, grey or
+  /// coloured, 8 or 16 bits; alpha is not used. A file that cannot be read is reported at `asked`,
+  /// the place that asks for it, one with wrong content under its own name.
   static std::optional<CubeMap> Load(const std::filesystem::path& folder,
                                      const SourceLocation& asked, Diagnostics* diagnostics);
 
@@ -28,9 +30,11 @@ class CubeMap {
   uint64_t MemoryBytes() const;
 
  private:
-  enum Face { kLeft, kRight, kUp, kDown, kFront, kBack, kFaces };
+  enum FaceIndex { kLeft, kRight, kUp, kDown, kFront, kBack, kFaces };
+  /// Three channels; kept as in the file, since floats would take four times the memory.
+  using Face = std::variant<ByteImage, WordImage>;
 
-  std::array<ByteImage, kFaces> faces_;
+  std::array<Face, kFaces> faces_;
 };
 
 }  // namespace candela

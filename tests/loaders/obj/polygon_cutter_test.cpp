@@ -230,11 +230,6 @@ TEST(PolygonCutter, PolygonsThatTouchThemselvesKeepTheirArea) {
             32);
 }
 
-TEST(PolygonCutter, PentagramDrawnInOneStrokeIsNotTakenForConvex) {
-  const Polygon pentagram = {{0, 10, 0}, {-6, -8, 0}, {9, 3, 0}, {-9, 3, 0}, {6, -8, 0}};
-  EXPECT_EQ(Cut(pentagram).size(), 3u);
-}
-
 TEST(PolygonCutter, BowTieWithoutNetAreaIsAFan) {
   EXPECT_THAT(Cut({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}),
               ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));

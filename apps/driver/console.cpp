@@ -1,0 +1,31 @@
+#include "driver/console.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/text.h"
+
+namespace candela {
+
+int PrintResult(std::string_view text) {
+  // Flushed here, since a full disk or a closed pipe shows only then.
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
+                       std::fflush(stdout) == 0;
+  if (written) return 0;
+  return PrintError("standard output",
+                    {ErrorCode::kOutput, fmt::format("cannot be written: {}", std::strerror(errno))});
+}
+
+int PrintError(std::string_view where, const Error& error) {
+  fmt::print(stderr, "{}: error: {}\n", EscapeControl(where), error.message);
+  return static_cast<int>(error.code);
+}
+
+void PrintWarning(std::string_view where, std::string_view message) {
+  fmt::print(stderr, "{}: warning: {}\n", EscapeControl(where), message);
+}
+
+}  // namespace candela

@@ -37,7 +37,7 @@ struct RenderRequest {
   std::optional<std::filesystem::path> stats_json;
   /// Explain this pixel instead of rendering.
   struct PixelPosition {
-    uint32_t x, y;
+    int x, y;
   };
   std::optional<PixelPosition> explain;
 };

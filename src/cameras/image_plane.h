@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-
 #include "math/vec.h"
 
 namespace candela {
@@ -19,11 +16,11 @@ class ImagePlane {
   /// `stretch` fills the field of view in both directions, so that pixels of pictures that are not
   /// square are not square either, as in the course; otherwise the field of view is the vertical
   /// one.
-  ImagePlane(uint32_t width, uint32_t height, PixelGrid grid, bool stretch);
+  ImagePlane(int width, int height, PixelGrid grid, bool stretch);
 
   /// The image point of pixel (x, y), y counted from the top, moved by `offset` pixels from the
   /// pixel's centre, its y counted downwards. A side of one pixel maps to 0.
-  Vec2 PointOf(uint32_t x, uint32_t y, Vec2 offset) const;
+  Vec2 PointOf(int x, int y, Vec2 offset) const;
 
  private:
   struct Axis {
@@ -32,10 +29,10 @@ class ImagePlane {
     float scale;   ///< From [-1, 1] to the image plane.
     float Map(float pixel) const { return (2 * (pixel + first) / pixels - 1) * scale; }
   };
-  static Axis MakeAxis(uint32_t size, PixelGrid grid);
+  static Axis MakeAxis(int size, PixelGrid grid);
 
   Axis x_, y_;
-  uint32_t height_;
+  int height_;
 };
 
 }  // namespace candela

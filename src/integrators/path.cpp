@@ -15,10 +15,8 @@ namespace {
 constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 constexpr uint32_t kRouletteAfter = 4;  // Bounces that every path may take.
 
-// Dimensions of the sampler; docs/architecture.md, section 5.
-constexpr uint32_t kFirstBounceDimension = 16;
-constexpr uint32_t kDimensionsPerBounce = 16;
-enum BounceDimension : uint32_t { kDirection = 0, kRoulette = 2 };
+// What the dimensions of a bounce are used for.
+enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2 };
 
 }  // namespace
 
@@ -74,7 +72,7 @@ Spectrum PathIntegrator::Radiance(const SampleRequest& request, RayCounts* rays)
     scene_.material(hit).Evaluate(point, &bsdf);
     radiance += throughput * DirectLight(point, bsdf, wo, rays);
 
-    const uint32_t dimension = kFirstBounceDimension + bounce * kDimensionsPerBounce;
+    const uint32_t dimension = BounceDimension(bounce);
     const BsdfSample next = Sample(bsdf, wo, sampler.Get2D(dimension + kDirection));
     throughput *= next.weight;
     if (next.pdf == 0 || throughput.IsBlack()) return radiance;

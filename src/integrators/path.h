@@ -33,7 +33,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   std::vector<const Light*> delta_lights_;
   uint32_t bounces_;
-  uint64_t seed_;
+  uint32_t seed_;
 };
 
 }  // namespace candela

@@ -18,7 +18,7 @@ struct IntegratorOptions {
   /// Reflections after the camera ray; without a value each integrator has a default of its own.
   std::optional<uint32_t> bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
-  uint64_t seed = 0;
+  uint32_t seed = 0;
 };
 
 /// An integrator that may be asked for by name.

@@ -86,6 +86,38 @@ SinCosPair SinCosOf(const ReducedAngle& angle) {
   }
 }
 
+struct FastSinCos {
+  double sin, cos;
+};
+
+/// Both functions in double precision, to about 1e-12 of their value; for float results.
+FastSinCos FastSinCosOf(float angle) {
+  if (!std::isfinite(angle)) return {kNaN, kNaN};
+  const ReducedAngle reduced = Reduce(angle);
+  const double x = reduced.rest.hi;
+  const double x2 = x * x;
+  const double s =
+      x + x * x2 *
+              (-1.0 / 6 +
+               x2 * (1.0 / 120 +
+                     x2 * (-1.0 / 5040 + x2 * (1.0 / 362880 +
+                                               x2 * (-1.0 / 39916800 + x2 * (1.0 / 6227020800))))));
+  const double c =
+      1 - x2 * (0.5 - x2 * (1.0 / 24 -
+                            x2 * (1.0 / 720 - x2 * (1.0 / 40320 - x2 * (1.0 / 3628800 -
+                                                                        x2 * (1.0 / 479001600))))));
+  switch (reduced.quarter_turns) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
 /// Below this magnitude x is the sine and the tangent of x, sign of zero included.
 constexpr double kTiny = 0x1p-28;
 
@@ -132,13 +164,18 @@ double TanDegrees(double degrees) {
 }
 
 float Sin(float x) {
-  return static_cast<float>(Sin(static_cast<double>(x)));
+  if (std::abs(x) < kTiny) return x;
+  return static_cast<float>(FastSinCosOf(x).sin);
 }
+
 float Cos(float x) {
-  return static_cast<float>(Cos(static_cast<double>(x)));
+  return static_cast<float>(FastSinCosOf(x).cos);
 }
+
 float Tan(float x) {
-  return static_cast<float>(Tan(static_cast<double>(x)));
+  if (std::abs(x) < kTiny) return x;
+  const FastSinCos pair = FastSinCosOf(x);
+  return static_cast<float>(pair.sin / pair.cos);
 }
 
 }  // namespace candela

@@ -16,7 +16,7 @@ namespace {
 constexpr double kBound = 0.55;
 constexpr double kTrigonometricBound = 0.9;
 // One rounding of a double: half an ulp, and a hair for results close to a tie.
-constexpr double kFloatBound = 0.5 + 1e-6;
+constexpr double kFloatBound = 0.5 + 1e-5;
 
 constexpr int kCount = 300000;
 

@@ -61,6 +61,7 @@ class ArgParser {
   std::string Spell(std::string_view name) const;
 
   const std::string& program() const { return program_; }
+  ArgStyle style() const { return style_; }
 
   /// Everything that was described, in lines of at most 80 characters.
   std::string Help() const;

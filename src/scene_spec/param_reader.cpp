@@ -20,6 +20,9 @@ bool IsPositive(float value) {
 bool IsNonNegative(float value) {
   return value >= 0;
 }
+bool IsAngle(float value) {
+  return value > 0 && value < 180;
+}
 
 }  // namespace
 

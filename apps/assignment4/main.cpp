@@ -50,9 +50,9 @@ int Run(std::span<const char* const> words) {
 
   if (const auto status = ReadCommandLine(parser, words)) return *status;
   ChooseSamples(jitter, filter, &request.render);
-  if (const auto done = common.Finish(parser); !done) {
-    return PrintError(request.program, done.error());
-  }
+  Result<void> done = common.Finish(parser);
+  if (done) done = common.FinishFiles(parser);
+  if (!done) return PrintError(request.program, done.error());
   return RunRender(request);
 }
 
@@ -61,5 +61,5 @@ int Run(std::span<const char* const> words) {
 
 int main(int argc, char** argv) {
   candela::ExitOnStopSignals();
-  return candela::Run({argv + 1, static_cast<size_t>(argc > 0 ? argc - 1 : 0)});
+  return candela::Run(candela::WordsOf(argc, argv));
 }

@@ -8,6 +8,7 @@
 #include "base/signals.h"
 #include "base/text.h"
 #include "candela/commands.h"
+#include "driver/arg_parser.h"
 #include "driver/console.h"
 
 namespace candela {
@@ -58,9 +59,9 @@ int RunCommand(std::string_view name, Words words) {
 int Run(Words words) {
   if (words.empty()) return UsageError("a command is missing");
   const std::string_view first = words[0];
-  if (first == "--version") return PrintResult("Candela " CANDELA_VERSION "\n");
+  if (first == "--version") return PrintResult("candela", "Candela " CANDELA_VERSION "\n");
   if (first == "--help" || first == "-h" || (first == "help" && words.size() == 1)) {
-    return PrintResult(Help());
+    return PrintResult("candela", Help());
   }
   if (first != "help") return RunCommand(first, words.subspan(1));
   if (words.size() > 2) return UsageError(fmt::format("unexpected argument {}", Quote(words[2])));
@@ -73,5 +74,5 @@ int Run(Words words) {
 
 int main(int argc, char** argv) {
   candela::ExitOnStopSignals();
-  return candela::Run({argv + 1, static_cast<size_t>(argc > 0 ? argc - 1 : 0)});
+  return candela::Run(candela::WordsOf(argc, argv));
 }

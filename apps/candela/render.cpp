@@ -78,7 +78,7 @@ class RenderCommand {
     request_.integrator_options.seed = request_.render.seed;
     request_.render.grid = ChooseGrid();
     request_.output_options.png_bits = png_bits_ == "16" ? 16 : 8;
-    return {};
+    return common_.FinishFiles(parser_);
   }
 
   Result<void> FinishSamples();
@@ -126,9 +126,9 @@ void RenderCommand::AddOptions() {
   parser_.Option("samples", {Whole("N", &samples_, 1)},
                  fmt::format("samples of each pixel (default 1, with --filter {}, with path {})",
                              kFilteredSamples, kPathSamples));
-  parser_.Option("filter", {Choice("NAME", &filter_, FilterNames())},
-                 fmt::format("how samples are weighed: {} (default box)",
-                             fmt::join(FilterNames(), ", ")));
+  parser_.Option(
+      "filter", {Choice("NAME", &filter_, FilterNames())},
+      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")));
   parser_.Flag("jitter", &jitter_,
                "the course's 4x4 samples of each pixel, with --filter tent weighed");
   parser_.Option("seed", {Whole("N", &render.seed, 0, 4294967295)},
@@ -167,8 +167,7 @@ Result<void> RenderCommand::FinishSamples() {
                          : filter_                     ? kFilteredSamples
                                                        : 1;
   render.samples = samples_.value_or(usual);
-  render.pattern =
-      render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
+  render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
   render.filter = filter_.value_or("box");
   return {};
 }

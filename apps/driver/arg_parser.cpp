@@ -90,7 +90,8 @@ class ArgParser::Reader {
     if (option == nullptr) return UnknownOption(word);
     const std::string name = parser_.Spell(option->name);
     if (option->values.empty()) {
-      if (joined) return UsageError(fmt::format("{}: takes no value, found {}", name, Quote(*joined)));
+      if (joined)
+        return UsageError(fmt::format("{}: takes no value, found {}", name, Quote(*joined)));
       *option->flag = option->given = true;
       return {};
     }
@@ -140,7 +141,9 @@ class ArgParser::Reader {
       const std::string_view next = words_[next_];
       what += fmt::format(" before {}", Quote(next));
       // A file may have such a name; say how to get it through.
-      if (TakeApart(next).option == nullptr) what += fmt::format(" (if that is a value, write {}={})", parser_.Spell(option.name), Quote(next));
+      if (TakeApart(next).option == nullptr)
+        what += fmt::format(" (if that is a value, write {}={})", parser_.Spell(option.name),
+                            Quote(next));
     }
     return UsageError(fmt::format("{}: expects {}, found {}", parser_.Spell(option.name),
                                   JoinLabels(option.values), what));
@@ -243,18 +246,24 @@ std::optional<int> ReadCommandLine(ArgParser& parser, std::span<const char* cons
   const Result<ArgParser::Outcome> outcome = parser.Parse(words);
   if (!outcome) {
     const int status = PrintError(parser.program(), outcome.error());
-    fmt::print(stderr, "Run '{} {}' to see what it takes.\n", parser.program(), parser.Spell("help"));
+    fmt::print(stderr, "Run '{} {}' to see what it takes.\n", parser.program(),
+               parser.Spell("help"));
     return status;
   }
   switch (*outcome) {
     case ArgParser::Outcome::kShowHelp:
-      return PrintResult(parser.Help());
+      return PrintResult(parser.program(), parser.Help());
     case ArgParser::Outcome::kShowVersion:
-      return PrintResult("Candela " CANDELA_VERSION "\n");
+      return PrintResult(parser.program(), "Candela " CANDELA_VERSION "\n");
     case ArgParser::Outcome::kRun:
       break;
   }
   return std::nullopt;
+}
+
+std::span<const char* const> WordsOf(int argc, const char* const* argv) {
+  const std::span<const char* const> all(argv, static_cast<size_t>(argc));
+  return all.subspan(all.empty() ? 0 : 1);
 }
 
 }  // namespace candela

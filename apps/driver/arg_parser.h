@@ -41,8 +41,7 @@ class ArgParser {
   /// Options that follow stand under this headline in the help.
   void Group(std::string title);
   void Flag(std::string name, bool* target, std::string help, Traits traits = {});
-  void Option(std::string name, std::vector<ArgValue> values, std::string help,
-              Traits traits = {});
+  void Option(std::string name, std::vector<ArgValue> values, std::string help, Traits traits = {});
   /// A word without an option, which must be given.
   void Positional(ArgValue value, std::string help);
   /// One or more of them; the last positional.
@@ -98,6 +97,9 @@ class ArgParser {
   std::vector<PositionalEntry> positionals_;
   std::vector<ExampleEntry> examples_;
 };
+
+/// What follows the name of the program.
+std::span<const char* const> WordsOf(int argc, const char* const* argv);
 
 /// Reads the command line of a program and answers requests for help and version on stdout, errors
 /// on stderr. The exit status when the program should end now, nothing when it should go on.

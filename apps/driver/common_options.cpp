@@ -19,10 +19,9 @@ namespace {
 /// an exit status of its own; so it is let through here, however many digits it has.
 ArgValue Side(std::string label, int64_t* target) {
   return {std::move(label), DescribeRange(1, kLargestCount), [=](std::string_view text) {
-            const bool is_long = text.size() > 18 &&
-                                 text.find_first_not_of("0123456789") == std::string_view::npos;
-            const auto value =
-                is_long ? std::numeric_limits<int64_t>::max() : ParseInteger(text);
+            const bool is_long =
+                text.size() > 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
+            const auto value = is_long ? std::numeric_limits<int64_t>::max() : ParseInteger(text);
             if (!value || *value < 1) return false;
             *target = *value;
             return true;
@@ -73,8 +72,8 @@ void CommonOptions::AddPictures(ArgParser* parser) {
                  {.letter = course ? '\0' : 'o'});
   parser->Option("normals", {File("FILE", &request_.normals)},
                  "picture of the surface normals, in the same formats");
-  parser->Option("depth", {Real("MIN", &depth_.min), Real("MAX", &depth_.max),
-                           File("FILE", &depth_.path)},
+  parser->Option("depth",
+                 {Real("MIN", &depth_.min), Real("MAX", &depth_.max), File("FILE", &depth_.path)},
                  "picture of the distances: MIN is black and MAX is white (MIN may be the larger "
                  "one); formats other than .png hold the distances themselves");
 }
@@ -102,7 +101,10 @@ Result<void> CommonOptions::Finish(const ArgParser& parser) {
                  fmt::format("nothing to do: give {0}, {1} or {2}", parser.Spell("output FILE"),
                              parser.Spell("normals FILE"), parser.Spell("depth MIN MAX FILE"))};
   }
-  // The scene is looked for last, so that a wrong command line shows as one wherever it is used.
+  return {};
+}
+
+Result<void> CommonOptions::FinishFiles(const ArgParser& parser) {
   const auto scene = FindScene(request_.scene, SceneFolders());
   if (!scene) return scene.error();
   request_.scene = *scene;

@@ -23,9 +23,11 @@ class CommonOptions {
   void AddLight(ArgParser* parser, std::string_view default_bounces);
 
   /// Completes the request after a command line was read: size, window (the whole picture), depth.
-  /// Finds the scene. Checks that there is something to do, and that no file is written twice or
-  /// is the scene.
+  /// Checks that there is something to do.
   Result<void> Finish(const ArgParser& parser);
+  /// Finds the scene. Checks that no file is written twice or is the scene. Comes last, so that a
+  /// wrong command line shows as one wherever it is used.
+  Result<void> FinishFiles(const ArgParser& parser);
 
  private:
   Result<void> FinishSize(const ArgParser& parser);

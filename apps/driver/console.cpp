@@ -10,13 +10,18 @@
 
 namespace candela {
 
-int PrintResult(std::string_view text) {
+Result<void> WriteResult(std::string_view text) {
   // Flushed here, since a full disk or a closed pipe shows only then.
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
-                       std::fflush(stdout) == 0;
-  if (written) return 0;
-  return PrintError("standard output",
-                    {ErrorCode::kOutput, fmt::format("cannot be written: {}", std::strerror(errno))});
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (written) return {};
+  return Error{ErrorCode::kOutput,
+               fmt::format("standard output cannot be written: {}", std::strerror(errno))};
+}
+
+int PrintResult(std::string_view program, std::string_view text) {
+  const Result<void> written = WriteResult(text);
+  return written ? 0 : PrintError(program, written.error());
 }
 
 int PrintError(std::string_view where, const Error& error) {

@@ -6,9 +6,11 @@
 
 namespace candela {
 
-/// Prints a result on stdout. The exit status: 0, or that of an output that cannot be written after
-/// a message that says so.
-int PrintResult(std::string_view text);
+/// Prints a result on stdout. An error when it does not arrive there.
+Result<void> WriteResult(std::string_view text);
+
+/// The same for a program that then ends: prints the error too, and returns the exit status.
+int PrintResult(std::string_view program, std::string_view text);
 
 /// Prints "where: error: message" on stderr and returns the exit status that belongs to the error.
 int PrintError(std::string_view where, const Error& error);

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Adds the names of the entries of `folder` that end like `name`, in alphabetical order.
-void AddSimilarFiles(const fs::path& folder, const fs::path& name, std::vector<std::string>* files) {
+void AddSimilarFiles(const fs::path& folder, const fs::path& name,
+                     std::vector<std::string>* files) {
   const auto first = static_cast<std::ptrdiff_t>(files->size());
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;

@@ -1,30 +1,18 @@
 #pragma once
 
-#include <cstdint>
-#include <semaphore>
-#include <string>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 #include "base/clock.h"
+#include "driver/progress_line.h"
+#include "render/render_job.h"
 
 namespace candela {
 
-class RenderJob;
-
-/// How far some work is, at one moment.
-struct ProgressState {
-  uint64_t done = 0, total = 0;  ///< Samples.
-  uint64_t rays = 0;
-  double seconds = 0;  ///< Since the start.
-};
-
-/// One line of at most `columns` characters: a bar when `with_bar`, percentage, rays per second and
-/// the time left. With `with_colour` the bar is wrapped in terminal colours, which do not count.
-std::string ProgressLine(const ProgressState& state, int columns, bool with_bar, bool with_colour);
-
 /// Shows on stderr how far a job is, from construction to destruction: on a terminal a bar that is
-/// redrawn, elsewhere (or with TERM=dumb) a plain line every ten seconds, and nothing at all when
-/// `quiet` or when the work takes less than half a second. NO_COLOR is honoured.
+/// redrawn, elsewhere (TERM=dumb included) a plain line every ten seconds. Nothing at all when
+/// `quiet`, or when the work takes less than half a second. NO_COLOR is honoured.
 class ProgressReporter {
  public:
   /// The job has to outlive the reporter.
@@ -34,12 +22,16 @@ class ProgressReporter {
   ProgressReporter& operator=(const ProgressReporter&) = delete;
 
  private:
-  void Watch();
+  void RedrawBar();
+  void PrintLines();
+  bool WaitForEnd(double seconds);
   ProgressState State() const;
 
   const RenderJob& job_;
   const Stopwatch clock_;
-  std::binary_semaphore stop_{0};
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool is_over_ = false;
   std::thread watcher_;
 };
 

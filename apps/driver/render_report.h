@@ -22,22 +22,24 @@ struct RenderStatistics {
 
   std::string scene;  ///< As the user named it.
   std::string integrator;
-  uint32_t width = 0, height = 0;  ///< Of what was rendered: the crop window.
+  int width = 0, height = 0;  ///< Of what was rendered: the crop window.
   uint32_t samples_per_pixel = 0;
   int threads = 0;
   Phases seconds;
   RayCounts rays;
   uint64_t dropped_samples = 0;  ///< NaN, infinite or negative ones.
   uint64_t scene_bytes = 0;      ///< Memory of the compiled scene.
-  uint64_t peak_memory = 0;      ///< Of the process, in bytes; 0 where the system does not tell.
+  uint64_t peak_bytes = 0;       ///< Memory of the process; 0 where the system does not tell.
 
-  double RaysPerSecond() const { return seconds.render > 0 ? rays.Total() / seconds.render : 0; }
+  double RaysPerSecond() const {
+    return seconds.render > 0 ? static_cast<double>(rays.Total()) / seconds.render : 0;
+  }
 };
 
-/// A table for people, on stderr.
-void PrintStatistics(const RenderStatistics& statistics);
+/// A table for people.
+std::string StatisticsToText(const RenderStatistics& statistics);
 
-/// The same as a JSON object, with a newline at its end.
+/// The same as a JSON object that ends with a newline.
 std::string StatisticsToJson(const RenderStatistics& statistics);
 
 }  // namespace candela

@@ -1,5 +1,7 @@
 #include "tests/layering/layering_rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -116,14 +118,14 @@ std::vector<std::string> Breaches(std::string_view path, std::string_view source
     const size_t end = std::min(code.find('\n', start), code.size());
     const std::string line = code.substr(start, end - start);
     start = end + 1;
-    const auto add = [&](const std::string& text) {
-      breaches.push_back(std::string(path) + ":" + std::to_string(number + 1) + ": " + text);
+    const auto add = [&](std::string_view text) {
+      breaches.push_back(fmt::format("{}:{}: {}", path, number + 1, text));
     };
 
     const std::string included = IncludedFolder(line);
     const bool is_own_program = folder == "apps" && !IsKnownFolder(included);
     if (!included.empty() && !is_own_program && !MayInclude(folder, included)) {
-      add(folder + "/ may not include " + included + "/");
+      add(fmt::format("{}/ may not include {}/", folder, included));
     }
     for (const Rule& rule : kRules) {
       const bool is_at_home =

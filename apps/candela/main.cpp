@@ -59,7 +59,7 @@ int RunCommand(std::string_view name, Words words) {
 int Run(Words words) {
   if (words.empty()) return UsageError("a command is missing");
   const std::string_view first = words[0];
-  if (first == "--version") return PrintResult("candela", "Candela " CANDELA_VERSION "\n");
+  if (first == "--version") return PrintVersion("candela");
   if (first == "--help" || first == "-h" || (first == "help" && words.size() == 1)) {
     return PrintResult("candela", Help());
   }

@@ -181,13 +181,13 @@ void ArgParser::Group(std::string title) {
   groups_.push_back(std::move(title));
 }
 
-void ArgParser::Flag(std::string name, bool* target, std::string help, Traits traits) {
+void ArgParser::Flag(std::string name, bool* target, std::string help, ArgTraits traits) {
   CHECK(!groups_.empty() && Find(name) == nullptr);
   options_.push_back({std::move(name), {}, target, std::move(help), traits, groups_.size() - 1});
 }
 
 void ArgParser::Option(std::string name, std::vector<ArgValue> values, std::string help,
-                       Traits traits) {
+                       ArgTraits traits) {
   CHECK(!groups_.empty() && !values.empty() && Find(name) == nullptr);
   options_.push_back(
       {std::move(name), std::move(values), nullptr, std::move(help), traits, groups_.size() - 1});
@@ -254,7 +254,7 @@ std::optional<int> ReadCommandLine(ArgParser& parser, std::span<const char* cons
     case ArgParser::Outcome::kShowHelp:
       return PrintResult(parser.program(), parser.Help());
     case ArgParser::Outcome::kShowVersion:
-      return PrintResult(parser.program(), "Candela " CANDELA_VERSION "\n");
+      return PrintVersion(parser.program());
     case ArgParser::Outcome::kRun:
       break;
   }
@@ -264,6 +264,10 @@ std::optional<int> ReadCommandLine(ArgParser& parser, std::span<const char* cons
 std::span<const char* const> WordsOf(int argc, const char* const* argv) {
   const std::span<const char* const> all(argv, static_cast<size_t>(argc));
   return all.subspan(all.empty() ? 0 : 1);
+}
+
+int PrintVersion(const std::string& program) {
+  return PrintResult(program, "Candela " CANDELA_VERSION "\n");
 }
 
 }  // namespace candela

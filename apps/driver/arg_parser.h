@@ -17,6 +17,12 @@ enum class ArgStyle {
   kGnu,     ///< `--size 200 200`, and one dash before a letter: `-o`.
 };
 
+/// What else there is to know about an option.
+struct ArgTraits {
+  char letter = 0;  ///< Short form in the style of GNU.
+  bool required = false;
+};
+
 /// Reads a command line by a description of it, which is also its help.
 ///
 /// An option is followed by as many words as it has values; the first may also be joined with '='
@@ -26,12 +32,6 @@ enum class ArgStyle {
 /// one.
 class ArgParser {
  public:
-  /// What else there is to know about an option.
-  struct Traits {
-    char letter = 0;  ///< Short form in the style of GNU.
-    bool required = false;
-  };
-
   /// What to do after a command line was read.
   enum class Outcome { kRun, kShowHelp, kShowVersion };
 
@@ -40,8 +40,8 @@ class ArgParser {
 
   /// Options that follow stand under this headline in the help.
   void Group(std::string title);
-  void Flag(std::string name, bool* target, std::string help, Traits traits = {});
-  void Option(std::string name, std::vector<ArgValue> values, std::string help, Traits traits = {});
+  void Flag(std::string name, bool* target, std::string help, ArgTraits traits = {});
+  void Option(std::string name, std::vector<ArgValue> values, std::string help, ArgTraits traits = {});
   /// A word without an option, which must be given.
   void Positional(ArgValue value, std::string help);
   /// One or more of them; the last positional.
@@ -71,7 +71,7 @@ class ArgParser {
     std::vector<ArgValue> values;
     bool* flag = nullptr;
     std::string help;
-    Traits traits;
+    ArgTraits traits;
     size_t group = 0;
     bool given = false;
   };
@@ -104,5 +104,8 @@ std::span<const char* const> WordsOf(int argc, const char* const* argv);
 /// Reads the command line of a program and answers requests for help and version on stdout, errors
 /// on stderr. The exit status when the program should end now, nothing when it should go on.
 std::optional<int> ReadCommandLine(ArgParser& parser, std::span<const char* const> words);
+
+/// Prints name and version on stdout and returns the exit status.
+int PrintVersion(const std::string& program);
 
 }  // namespace candela

@@ -94,7 +94,8 @@ Polygon Spiral(int turns) {
   inner.push_back(q);
   for (int i = 0; i < turns; ++i) {
     const Vec3 along = directions[i % 4], left = directions[(i + 1) % 4];
-    const auto length = static_cast<float>(4 * ((turns - i) / 2 + 2));
+    const int rounds_left = (turns - i) / 2;
+    const auto length = static_cast<float>(4 * (rounds_left + 2));
     p += along * length;
     // The inner side turns one unit earlier and to the left.
     q = p - along + left;

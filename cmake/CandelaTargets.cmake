@@ -1,6 +1,7 @@
 # How every target is compiled, said once.
 
 add_library(candela_flags INTERFACE)
+set_target_properties(candela_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(candela_flags INTERFACE cxx_std_20)
 # Contraction would make results depend on the compiler; see docs/architecture.md, section 5.
 target_compile_options(candela_flags INTERFACE -ffp-contract=off)
@@ -13,6 +14,10 @@ if(CANDELA_SANITIZE)
   target_compile_options(candela_flags INTERFACE
     $<BUILD_INTERFACE:-fsanitize=${CANDELA_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer>)
   target_link_options(candela_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=${CANDELA_SANITIZE}>)
+endif()
+if(CANDELA_FUZZ)
+  # The fuzzer is led by the branches it sees taken, so the libraries report theirs.
+  target_compile_options(candela_flags INTERFACE $<BUILD_INTERFACE:-fsanitize=fuzzer-no-link>)
 endif()
 
 # candela_library(NAME SOURCES ... LINK ... [PRIVATE_LINK ...])
@@ -27,4 +32,17 @@ function(candela_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include/candela>)
   target_link_libraries(candela_${name} PUBLIC candela_flags ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   set_property(GLOBAL APPEND PROPERTY CANDELA_LIBRARIES candela_${name})
+endfunction()
+
+# candela_program(NAME SOURCES ... LINK ...)
+# One program of apps/. `cmake ..` and the release preset leave it in the repository root.
+function(candela_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/apps)
+  target_link_libraries(${name} PRIVATE candela_flags ${ARG_LINK})
+  if(CANDELA_ROOT_EXECUTABLES)
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_SOURCE_DIR})
+  endif()
+  install(TARGETS ${name} RUNTIME)
 endfunction()

@@ -20,8 +20,8 @@ void AddMoreLine(const std::string& file, size_t count, const char* what,
                  std::vector<std::string>* lines) {
   if (count <= Diagnostics::kMostPerFile) return;
   const size_t more = count - Diagnostics::kMostPerFile;
-  lines->push_back(fmt::format("{}{}{} more {}{}", EscapeControl(file), file.empty() ? "" : ": ",
-                               more, what, more == 1 ? "" : "s"));
+  const std::string place = file.empty() ? "" : DisplayName(file) + ": ";
+  lines->push_back(fmt::format("{}{} more {}{}", place, more, what, more == 1 ? "" : "s"));
 }
 
 }  // namespace
@@ -64,10 +64,10 @@ std::vector<std::string> Diagnostics::Lines() const {
   std::vector<std::string> lines;
   for (const Diagnostic& each : kept_) {
     const std::string place = ToString(each.where);
-    lines.push_back(CutTo(kLongestLine,
-                          fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
-                                      each.severity == Severity::kError ? "error" : "warning",
-                                      each.text)));
+    lines.push_back(
+        CutTo(kLongestLine, fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",
+                                        each.severity == Severity::kError ? "error" : "warning",
+                                        EscapeControl(each.text))));
   }
   for (const auto& [file, counts] : counts_) {
     AddMoreLine(file, counts.errors, "error", &lines);

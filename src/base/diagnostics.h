@@ -37,8 +37,8 @@ class Diagnostics {
   /// True once a file has shown its share of errors: readers may then stop looking for more.
   bool IsFull(const SourceLocation& file) const;
 
-  /// One line each, "file:line:column: error: text", each under 500 characters, followed by a line
-  /// for each file that has more than is shown.
+  /// One line each, "file:line:column: error: text", each under 500 characters and free of control
+  /// characters, followed by a line for each file that has more than is shown.
   std::vector<std::string> Lines() const;
 
  private:

@@ -26,28 +26,47 @@ std::optional<uint64_t> ReadBytes(const std::filesystem::path& path) {
   return static_cast<uint64_t>(*value);
 }
 
-uint64_t SystemAvailable() {
-  std::ifstream stream("/proc/meminfo");
-  std::string key;
-  uint64_t kibibytes = 0;
-  std::string unit;
-  while (stream >> key >> kibibytes && std::getline(stream, unit)) {
-    if (key == "MemAvailable:") return kibibytes * 1024;
+/// The number after `key` in a file of lines "key number".
+std::optional<uint64_t> ReadEntry(const std::filesystem::path& path, const std::string& key) {
+  std::ifstream stream(path);
+  std::string name, rest;
+  uint64_t value = 0;
+  while (stream >> name >> value && std::getline(stream, rest)) {
+    if (name == key) return value;
   }
-  return kUnlimited;
+  return std::nullopt;
 }
 
-uint64_t LeftIn(const std::filesystem::path& group, const char* limit_name, const char* used_name) {
-  const auto limit = ReadBytes(group / limit_name);
+/// What the two versions of control groups call the same things.
+struct GroupFiles {
+  const char* limit;
+  const char* used;
+  const char* cached_entry;  ///< in memory.stat
+};
+constexpr GroupFiles kVersion1 = {"memory.limit_in_bytes", "memory.usage_in_bytes",
+                                  "total_inactive_file"};
+constexpr GroupFiles kVersion2 = {"memory.max", "memory.current", "inactive_file"};
+
+uint64_t LeftIn(const std::filesystem::path& group, const GroupFiles& files) {
+  const auto limit = ReadBytes(group / files.limit);
   if (!limit) return kUnlimited;
-  const uint64_t used = ReadBytes(group / used_name).value_or(0);
-  return *limit > used ? *limit - used : 0;
+  const uint64_t used = ReadBytes(group / files.used).value_or(0);
+  const uint64_t cached = ReadEntry(group / "memory.stat", files.cached_entry).value_or(0);
+  const uint64_t needed = used - std::min(used, cached);
+  return *limit - std::min(*limit, needed);
 }
 
-/// Every group on the way up to the root may hold a limit of its own.
-uint64_t ControlGroupsLeave() {
+}  // namespace
+
+uint64_t SystemMemoryAvailable() {
+  const auto kibibytes = ReadEntry("/proc/meminfo", "MemAvailable:");
+  return kibibytes ? *kibibytes * 1024 : kUnlimited;
+}
+
+uint64_t ControlGroupMemoryLeft(const std::filesystem::path& list,
+                                const std::filesystem::path& mount) {
   uint64_t left = kUnlimited;
-  std::ifstream stream("/proc/self/cgroup");
+  std::ifstream stream(list);
   for (std::string line; std::getline(stream, line);) {
     // "0::/path" for version 2, "N:memory:/path" for version 1.
     const size_t first = line.find(':');
@@ -55,15 +74,13 @@ uint64_t ControlGroupsLeave() {
     if (second == std::string::npos) continue;
     const std::string controllers = line.substr(first + 1, second - first - 1);
     const bool is_version_2 = controllers.empty();
-    if (!is_version_2 && controllers.find("memory") == std::string::npos) continue;
+    if (!is_version_2 && controllers != "memory") continue;
 
-    const std::filesystem::path top = is_version_2 ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
-    std::filesystem::path below = std::filesystem::path(line.substr(second + 1)).relative_path();
+    // Every group on the way up to the root may hold a limit of its own.
+    const std::filesystem::path top = is_version_2 ? mount : mount / "memory";
+    auto below = std::filesystem::path(line.substr(second + 1)).relative_path();
     while (true) {
-      const auto group = top / below;
-      left = std::min(left, is_version_2
-                                ? LeftIn(group, "memory.max", "memory.current")
-                                : LeftIn(group, "memory.limit_in_bytes", "memory.usage_in_bytes"));
+      left = std::min(left, LeftIn(top / below, is_version_2 ? kVersion2 : kVersion1));
       if (below.empty()) break;
       below = below.parent_path();
     }
@@ -71,9 +88,10 @@ uint64_t ControlGroupsLeave() {
   return left;
 }
 
-}  // namespace
-
-uint64_t AvailableMemory() { return std::min(SystemAvailable(), ControlGroupsLeave()); }
+uint64_t AvailableMemory() {
+  return std::min(SystemMemoryAvailable(),
+                  ControlGroupMemoryLeft("/proc/self/cgroup", "/sys/fs/cgroup"));
+}
 
 uint64_t PeakMemory() {
   rusage usage{};

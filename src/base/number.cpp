@@ -8,7 +8,9 @@
 namespace candela {
 namespace {
 
-bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+bool IsDigit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 /// Takes a leading '+' off; `std::from_chars` knows only '-'. Empty when no number can follow.
 std::string_view WithoutPlus(std::string_view text) {
@@ -28,8 +30,9 @@ bool IsUnderflow(std::string_view text) {
     std::string_view digits = WithoutPlus(text.substr(e + 1));
     const bool negative = !digits.empty() && digits[0] == '-';
     const auto parsed = ParseInteger(digits);
-    exponent = parsed ? *parsed : (negative ? std::numeric_limits<int64_t>::min() / 2
-                                            : std::numeric_limits<int64_t>::max() / 2);
+    exponent = parsed ? *parsed
+                      : (negative ? std::numeric_limits<int64_t>::min() / 2
+                                  : std::numeric_limits<int64_t>::max() / 2);
   }
   int64_t leading = 0;
   bool before_point = true, seen = false;
@@ -66,7 +69,9 @@ std::optional<T> ParseReal(std::string_view text) {
 
 }  // namespace
 
-std::optional<float> ParseFloat(std::string_view text) { return ParseReal<float>(text); }
+std::optional<float> ParseFloat(std::string_view text) {
+  return ParseReal<float>(text);
+}
 
 std::optional<double> ParseDouble(std::string_view text) {
   const auto value = ParseReal<double>(text);

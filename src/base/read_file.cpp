@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/memory.h"
 
 namespace candela {
 namespace fs = std::filesystem;
@@ -43,6 +44,11 @@ Result<std::string> ReadFile(const fs::path& path) {
   const uintmax_t size = fs::file_size(path, error);
   if (error) return Error{ErrorCode::kInput, error.message()};
 
+  // A system that promises more memory than it has would end the process while the bytes arrive.
+  constexpr uintmax_t kSmall = 64 << 20;  // not worth asking
+  if (size > kSmall && size > AvailableMemory()) {
+    return Error{ErrorCode::kResources, "does not fit into memory"};
+  }
   std::string content;
   try {
     content.resize(size);

@@ -13,6 +13,9 @@ struct SourceLocation {
   uint32_t column = 0;
 };
 
+/// The name of a file for a message: escaped; of a very long one the end, which says the most.
+std::string DisplayName(const std::string& file);
+
 /// "file:line:column", or as much of it as is known.
 std::string ToString(const SourceLocation& where);
 

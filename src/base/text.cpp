@@ -21,7 +21,7 @@ size_t Utf8Length(std::string_view text, size_t at) {
   if (lead >= 0xF0 && lead <= 0xF4) length = 4;
   if (length == 0 || at + length > text.size()) return 0;
   for (size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+    if (!IsUtf8Continuation(text[at + i])) return 0;
   }
   // Overlong forms, surrogates and values past U+10FFFF; C1 controls count as not printable.
   const unsigned char second = byte(at + 1);
@@ -73,7 +73,7 @@ std::string EscapeControl(std::string_view text) {
 std::string CutTo(size_t size, std::string text) {
   if (text.size() <= size) return text;
   size_t end = size < 3 ? 0 : size - 3;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  while (end > 0 && IsUtf8Continuation(text[end])) --end;
   text.resize(end);
   return text + "...";
 }

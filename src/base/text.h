@@ -14,6 +14,11 @@ std::string EscapeControl(std::string_view text);
 /// A word of the input for a message: escaped, cut at 60 characters, in single quotes.
 std::string Quote(std::string_view token);
 
+/// True for the second and later bytes of a UTF-8 sequence: places where a text must not be cut.
+inline bool IsUtf8Continuation(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
+}
+
 /// At most `size` bytes; a longer text ends in "..." and is never cut inside a UTF-8 sequence.
 std::string CutTo(size_t size, std::string text);
 

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "base/files.h"
 
@@ -47,7 +48,8 @@ class Descriptor {
   int value_;
 };
 
-/// The path behind symbolic links, whose last part need not exist.
+/// The path behind symbolic links, whose last part need not exist. Links that lead in a circle
+/// stay.
 fs::path ResolveLinks(fs::path path) {
   std::error_code error;
   for (int depth = 0; depth < 40 && fs::is_symlink(fs::symlink_status(path, error)); ++depth) {
@@ -62,7 +64,8 @@ fs::path FolderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// Devices and pipes cannot be replaced by renaming; they are written as they are.
+/// Devices and pipes cannot be replaced by renaming; they are written as they are. Asked of the
+/// path as given: /dev/stdout leads to a pipe by links whose text is not a path.
 bool IsWrittenDirectly(const fs::path& path) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
@@ -84,7 +87,8 @@ void RemoveLeftovers(const fs::path& path) {
        !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(start) || !name.ends_with(kEnd)) continue;
-    const std::string digits = name.substr(start.size(), name.size() - start.size() - sizeof kEnd + 1);
+    const std::string digits =
+        name.substr(start.size(), name.size() - start.size() - sizeof kEnd + 1);
     if (digits.empty() || digits.find_first_not_of("0123456789") != std::string::npos) continue;
     const long pid = std::strtol(digits.c_str(), nullptr, 10);
     const bool is_gone = ::kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH;
@@ -119,13 +123,31 @@ Result<void> WriteTemporary(const fs::path& temporary, const fs::path& target,
                             std::span<const std::byte> bytes) {
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!file.ok()) return OutputError("cannot be written");
-  struct stat old{};
+  struct stat old {};
   if (::stat(target.c_str(), &old) == 0 && ::fchmod(file.get(), old.st_mode & 07777) != 0) {
     return OutputError("cannot keep the mode of the old file");
   }
   if (!WriteAll(file.get(), bytes)) return OutputError("cannot be written");
   if (!Sync(file.get()) || !file.Close()) return OutputError("cannot be stored safely");
   if (::rename(temporary.c_str(), target.c_str()) != 0) return OutputError("cannot be replaced");
+  return {};
+}
+
+/// What can be said against a new file at `target` without making one.
+Result<void> CheckPlace(const fs::path& target) {
+  const auto refuse = [](std::string why) { return Error{ErrorCode::kOutput, std::move(why)}; };
+  if (!target.has_filename()) return refuse("is not the name of a file");
+  std::error_code error;
+  if (fs::is_symlink(target, error)) return refuse("is a symbolic link that leads nowhere");
+  const fs::file_status status = fs::status(target, error);
+  if (!fs::status_known(status)) return refuse("cannot be written: " + error.message());
+  if (fs::is_directory(status)) return refuse("is a folder");
+  if (fs::is_socket(status)) return refuse("is a socket");
+  if (!fs::is_directory(FolderOf(target), error)) return refuse("its folder does not exist");
+  // A rename asks only the folder, yet a file that is protected is meant to stay.
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) {
+    return OutputError("cannot be written");
+  }
   return {};
 }
 
@@ -136,24 +158,12 @@ void RemoveUnfinishedOutput() noexcept {
 }
 
 Result<void> CheckWritable(const fs::path& path) {
-  if (path.empty() || !path.has_filename()) {
-    return Error{ErrorCode::kOutput, "is not the name of a file"};
-  }
-  const fs::path target = ResolveLinks(path);
-  std::error_code error;
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return Error{ErrorCode::kOutput, "is a folder"};
-  if (fs::is_socket(status)) return Error{ErrorCode::kOutput, "is a socket"};
-  if (IsWrittenDirectly(target)) {
-    if (::access(target.c_str(), W_OK) != 0) return OutputError("cannot be written");
+  if (IsWrittenDirectly(path)) {
+    if (::access(path.c_str(), W_OK) != 0) return OutputError("cannot be written");
     return {};
   }
-  if (!fs::is_directory(FolderOf(target), error)) {
-    return Error{ErrorCode::kOutput, "its folder does not exist"};
-  }
-  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) {
-    return OutputError("cannot be written");
-  }
+  const fs::path target = ResolveLinks(path);
+  if (Result<void> place = CheckPlace(target); !place) return place;
   const fs::path temporary = TemporaryFor(target);
   const Descriptor probe(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (!probe.ok()) return OutputError("cannot be written");
@@ -162,8 +172,9 @@ Result<void> CheckWritable(const fs::path& path) {
 }
 
 Result<void> WriteFileAtomically(const fs::path& path, std::span<const std::byte> bytes) {
+  if (IsWrittenDirectly(path)) return WriteDirectly(path, bytes);
   const fs::path target = ResolveLinks(path);
-  if (IsWrittenDirectly(target)) return WriteDirectly(target, bytes);
+  if (Result<void> place = CheckPlace(target); !place) return place;
 
   RemoveLeftovers(target);
   const fs::path temporary = TemporaryFor(target);

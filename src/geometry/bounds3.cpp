@@ -7,9 +7,11 @@ Bounds3 TransformBounds(const Transform& transform, const Bounds3& bounds) {
   if (!bounds.IsFinite()) return Bounds3::Infinite();
   Bounds3 image;
   for (int corner = 0; corner < 8; ++corner) {
-    image.Extend(transform.Point({corner & 1 ? bounds.max.x : bounds.min.x,
-                                  corner & 2 ? bounds.max.y : bounds.min.y,
-                                  corner & 4 ? bounds.max.z : bounds.min.z}));
+    const Vec3 p{corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,
+                 corner & 4 ? bounds.max.z : bounds.min.z};
+    const Vec3 error = transform.PointError(p, {});
+    image.Extend(transform.Point(p) - error);
+    image.Extend(transform.Point(p) + error);
   }
   return image;
 }

@@ -47,7 +47,8 @@ struct Bounds3 {
   friend bool operator==(const Bounds3&, const Bounds3&) = default;
 };
 
-/// The box around the image of a box. Unbounded boxes stay unbounded.
+/// A box around the image of a box, widened by its rounding error. Unbounded boxes stay unbounded;
+/// so does the image when it does not fit into single precision.
 Bounds3 TransformBounds(const Transform& transform, const Bounds3& bounds);
 
 }  // namespace candela

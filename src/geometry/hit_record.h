@@ -10,9 +10,9 @@ struct HitRecord {
   static constexpr uint32_t kNone = 0xFFFFFFFF;
 
   float t = std::numeric_limits<float>::max();
-  float u = 0, v = 0;          ///< Position on the primitive; barycentric for triangles.
-  uint32_t object = kNone;     ///< Index of the object in the scene.
-  uint32_t primitive = 0;      ///< Index of the primitive (triangle) in the object's shape.
+  float u = 0, v = 0;       ///< Position on the primitive; barycentric for triangles.
+  uint32_t object = kNone;  ///< Index of the object in the scene.
+  uint32_t primitive = 0;   ///< Index of the primitive (triangle) in the object's shape.
 
   bool IsHit() const { return object != kNone; }
 };

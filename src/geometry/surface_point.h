@@ -6,8 +6,8 @@
 
 namespace candela {
 
-/// What is known about a hit besides where along the ray it is. In object space when it comes from a
-/// shape, in world space when it comes from the scene.
+/// What is known about a hit besides where along the ray it is. In object space when it comes from
+/// a shape, in world space when it comes from the scene.
 struct SurfacePoint {
   Vec3 p;
   Vec3 p_error;      ///< Bound on the error of `p` in each coordinate.

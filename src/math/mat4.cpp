@@ -16,7 +16,9 @@ bool FitsFloat(const Mat4& a) {
 
 }  // namespace
 
-Mat4 Mat4::Identity() { return Scale({1, 1, 1}); }
+Mat4 Mat4::Identity() {
+  return Scale({1, 1, 1});
+}
 
 Mat4 Mat4::Translate(Vec3d offset) {
   return {{{{1, 0, 0, offset.x}, {0, 1, 0, offset.y}, {0, 0, 1, offset.z}, {0, 0, 0, 1}}}};

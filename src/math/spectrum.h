@@ -10,8 +10,8 @@ namespace candela {
 /// A linear colour: red, green, blue without a unit or range.
 using Rgb = Vec3;
 
-/// Radiance, intensity or reflectance as light transport carries it: four numbers, of which a colour
-/// uses the first three. (A spectral mode would use all four as wavelengths.)
+/// Radiance, intensity or reflectance as light transport carries it: four numbers, of which a
+/// colour uses the first three. (A spectral mode would use all four as wavelengths.)
 struct Spectrum {
   std::array<float, 4> c{};
 

@@ -16,6 +16,9 @@ class Transform {
   Vec3 Point(Vec3 p) const { return x_ * p.x + y_ * p.y + z_ * p.z + offset_; }
   Vec3 Vector(Vec3 v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
 
+  /// Bound on the error of `Point(p)` in each coordinate, when `p` itself is known to `p_error`.
+  Vec3 PointError(Vec3 p, Vec3 p_error) const;
+
   /// Multiplies by the transpose of the linear part. A normal goes from object to world by the
   /// inverse transpose, so: `n_world = object_from_world.TransposedVector(n_object)`, to normalise.
   Vec3 TransposedVector(Vec3 v) const { return {Dot(x_, v), Dot(y_, v), Dot(z_, v)}; }

@@ -93,7 +93,9 @@ constexpr Vec3 ToFloat(Vec3d a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
-constexpr Vec3d ToDouble(Vec3 a) { return {a.x, a.y, a.z}; }
+constexpr Vec3d ToDouble(Vec3 a) {
+  return {a.x, a.y, a.z};
+}
 
 template <class T>
 bool IsFinite(Vec3T<T> a) {

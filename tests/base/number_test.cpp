@@ -20,9 +20,10 @@ TEST(ParseFloat, UnderflowIsZero) {
 }
 
 TEST(ParseFloat, RejectsWhatIsNotOneFiniteDecimalNumber) {
-  for (const char* text : {"", "+", "-", ".", "+-1", "1.2.3", "1,5", "0x10", "nan", "inf", "-inf",
-                           "infinity", "1e", "1e+", "1f", " 1", "1 ", "1e39", "-1e9999",
-                           "0.001e99999999999999999999"}) {
+  for (const char* text : {"",      "+",        "-",    ".",       "+-1",
+                           "1.2.3", "1,5",      "0x10", "nan",     "inf",
+                           "-inf",  "infinity", "1e",   "1e+",     "1f",
+                           " 1",    "1 ",       "1e39", "-1e9999", "0.001e99999999999999999999"}) {
     EXPECT_EQ(ParseFloat(text), std::nullopt) << text;
   }
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "integrators/registry.h"
+#include "render/render_options.h"
+
+namespace candela {
+
+/// How picture files are written.
+struct OutputOptions {
+  int png_bits = 8;  ///< 8 or 16.
+};
+
+/// A depth map and the range of distances that it shows from black to white.
+struct DepthOutput {
+  float min = 0, max = 1;
+  std::filesystem::path path;
+};
+
+/// Everything that a command line asks of one render. Paths are as the user wrote them.
+struct RenderRequest {
+  std::string program;  ///< Its name, for messages.
+  std::filesystem::path scene;
+  std::optional<std::filesystem::path> output, normals;
+  std::optional<DepthOutput> depth;
+
+  std::string integrator = "whitted";
+  IntegratorOptions integrator_options;
+  RenderOptions render;
+  OutputOptions output_options;
+  int threads = 0;  ///< 0: one per processor.
+
+  bool quiet = false;
+  bool print_stats = false;
+  std::optional<std::filesystem::path> stats_json;
+  /// Explain this pixel instead of rendering.
+  struct PixelPosition {
+    int x, y;
+  };
+  std::optional<PixelPosition> explain;
+};
+
+/// Carries it out: checks the outputs, loads the scene, renders, writes. Prints messages to stderr,
+/// what was asked for to stdout, and returns the exit status of the program.
+int RunRender(const RenderRequest& request);
+
+}  // namespace candela

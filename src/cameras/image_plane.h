@@ -1,0 +1,38 @@
+#pragma once
+
+#include "math/vec.h"
+
+namespace candela {
+
+/// Where on the image plane the pixels of a picture lie.
+enum class PixelGrid {
+  kCorners,  ///< The course's: the centres of corner pixels lie exactly on the edges, -1 and 1.
+  kCentres,  ///< The picture's outer edges lie there; pixel centres are half a pixel inside.
+};
+
+/// Maps positions in a picture to the camera's image plane.
+class ImagePlane {
+ public:
+  /// `stretch` fills the field of view in both directions, so that pixels of pictures that are not
+  /// square are not square either, as in the course; otherwise the field of view is the vertical
+  /// one.
+  ImagePlane(int width, int height, PixelGrid grid, bool stretch);
+
+  /// The image point of pixel (x, y), y counted from the top, moved by `offset` pixels from the
+  /// pixel's centre, its y counted downwards. A side of one pixel maps to 0.
+  Vec2 PointOf(int x, int y, Vec2 offset) const;
+
+ private:
+  struct Axis {
+    float pixels;  ///< Between -1 and 1.
+    float first;   ///< The position of the first pixel's centre, counted from -1, in pixels.
+    float scale;   ///< From [-1, 1] to the image plane.
+    float Map(float pixel) const { return (2 * (pixel + first) / pixels - 1) * scale; }
+  };
+  static Axis MakeAxis(int size, PixelGrid grid);
+
+  Axis x_, y_;
+  int height_;
+};
+
+}  // namespace candela

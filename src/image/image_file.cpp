@@ -1,0 +1,80 @@
+#include "image/image_file.h"
+
+#include "base/files.h"
+#include "image/exr.h"
+#include "image/hdr.h"
+#include "image/pfm.h"
+#include "image/png_chunks.h"
+#include "image/png_read.h"
+#include "image/png_write.h"
+#include "image/quantise.h"
+
+namespace candela {
+
+std::optional<ImageFormat> FormatOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension == ".png") return ImageFormat::kPng;
+  if (extension == ".exr") return ImageFormat::kExr;
+  if (extension == ".hdr") return ImageFormat::kHdr;
+  if (extension == ".pfm") return ImageFormat::kPfm;
+  return std::nullopt;
+}
+
+std::optional<ImageFormat> FormatOfContent(std::string_view bytes) {
+  if (bytes.starts_with(kPngSignature)) return ImageFormat::kPng;
+  if (bytes.starts_with("\x76\x2f\x31\x01")) return ImageFormat::kExr;
+  if (bytes.starts_with("#?")) return ImageFormat::kHdr;
+  if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return ImageFormat::kPfm;
+  return std::nullopt;
+}
+
+Result<Image> DecodeImage(std::string_view bytes, std::vector<std::string>* warnings,
+                          int64_t most_bytes) {
+  const std::optional<ImageFormat> format = FormatOfContent(bytes);
+  if (!format) return Error{ErrorCode::kInput, "this is not a PNG, EXR, HDR or PFM picture"};
+  switch (*format) {
+    case ImageFormat::kPng: {
+      const Result<PngImage> png = DecodePng(bytes, warnings, most_bytes);
+      if (!png) return png.error();
+      return png->ToFloat();
+    }
+    case ImageFormat::kExr:
+      return DecodeExr(bytes, most_bytes);
+    case ImageFormat::kHdr:
+      return DecodeHdr(bytes, warnings, most_bytes);
+    case ImageFormat::kPfm:
+      return DecodePfm(bytes, warnings, most_bytes);
+  }
+  CHECK(false);
+  return Image();
+}
+
+Result<Image> ReadImage(const std::filesystem::path& path, std::vector<std::string>* warnings,
+                        int64_t most_bytes) {
+  const Result<std::string> bytes = ReadFile(path);
+  if (!bytes) return bytes.error();
+  return DecodeImage(*bytes, warnings, most_bytes);
+}
+
+Result<std::string> EncodeImage(const Image& image, ImageFormat format,
+                                const EncodeOptions& options) {
+  CHECK(options.png_bits == 8 || options.png_bits == 16);
+  switch (format) {
+    case ImageFormat::kPng:
+      return options.png_bits == 8 ? EncodePng(QuantiseToBytes(image))
+                                   : EncodePng(QuantiseToWords(image));
+    case ImageFormat::kExr:
+      return EncodeExr(image);
+    case ImageFormat::kHdr:
+      return EncodeHdr(image);
+    case ImageFormat::kPfm:
+      return EncodePfm(image);
+  }
+  CHECK(false);
+  return std::string();
+}
+
+}  // namespace candela

@@ -1,0 +1,36 @@
+#include "integrators/registry.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "base/text.h"
+#include "integrators/path.h"
+#include "integrators/whitted.h"
+
+namespace candela {
+namespace {
+
+constexpr IntegratorEntry kIntegrators[] = {
+    {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false},
+    {"path", "path tracing of diffuse surfaces and area lights", &PathIntegrator::Create, true},
+};
+
+}  // namespace
+
+std::span<const IntegratorEntry> IntegratorEntries() {
+  return kIntegrators;
+}
+
+Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
+                                                     const IntegratorOptions& options) {
+  std::vector<std::string_view> names;
+  for (const IntegratorEntry& entry : kIntegrators) {
+    if (entry.name == name) return entry.create(scene, options);
+    names.push_back(entry.name);
+  }
+  return Error{ErrorCode::kUsage, fmt::format("there is no integrator {}{}; known: {}", Quote(name),
+                                              DidYouMean(name, names), ListOf(names))};
+}
+
+}  // namespace candela

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "integrators/integrator.h"
+#include "scene/scene.h"
+
+namespace candela {
+
+/// What the command line says about light transport.
+struct IntegratorOptions {
+  /// Reflections after the camera ray; without a value each integrator has a default of its own.
+  std::optional<uint32_t> bounces;
+  bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
+  uint32_t seed = 0;
+};
+
+/// An integrator that may be asked for by name.
+struct IntegratorEntry {
+  std::string_view name;
+  std::string_view summary;  ///< For the help.
+  /// Fails when the scene holds what the integrator does not know.
+  Result<std::unique_ptr<Integrator>> (*create)(const Scene& scene,
+                                                const IntegratorOptions& options);
+  bool is_physical;  ///< Solves light transport; the contract tests hold it to a furnace.
+};
+
+std::span<const IntegratorEntry> IntegratorEntries();
+
+/// Creates the integrator `name` for a scene, which has to outlive it.
+Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
+                                                     const IntegratorOptions& options);
+
+}  // namespace candela

@@ -1,0 +1,34 @@
+#include "lights/registry.h"
+
+#include "lights/area_light.h"
+#include "lights/directional_light.h"
+#include "lights/point_light.h"
+#include "scene_spec/registry.h"
+
+namespace candela {
+namespace {
+
+constexpr LightEntry kLights[] = {
+    // name         create                       example
+    {"point", &PointLight::Create, "type point color 0.9 0.9 0.9 attenuation 0.025"},
+    {"directional", &DirectionalLight::Create, "type directional direction 0 -1 0 color 1 1 1"},
+    {"area", &AreaLight::Create, "type area radiance 5 5 5"},
+};
+
+}  // namespace
+
+std::span<const LightEntry> LightEntries() {
+  return kLights;
+}
+
+std::unique_ptr<Light> CreateLight(const TypedSpec& spec, const LightContext& context,
+                                   Diagnostics* diagnostics) {
+  const LightEntry* entry = FindEntry<LightEntry>(kLights, spec, "light", diagnostics);
+  if (!entry) return nullptr;
+  ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  auto light = entry->create(&params, context);
+  params.Finish();
+  return light;
+}
+
+}  // namespace candela

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "loaders/course/block_reader.h"
+#include "loaders/text/tokenizer.h"
+#include "scene_spec/scene_spec.h"
+
+namespace candela {
+
+/// Reads the body of a `Scene` block: the tree of nodes, as a flat list with the root first.
+class NodeParser {
+ public:
+  NodeParser(Tokenizer* tokens, BlockReader* blocks, Diagnostics* diagnostics)
+      : tokens_(*tokens), blocks_(*blocks), diagnostics_(*diagnostics) {}
+
+  std::vector<NodeSpec> Parse(const Token& scene);
+
+ private:
+  /// Reads what may stand in a node besides nodes; false when `word` is none of it.
+  bool ParseItem(const Token& word, NodeSpec* node);
+  void ParseTransform(const Token& word, NodeSpec* node);
+  void ParseMaterial(const Token& word, NodeSpec* node);
+  TypedSpec ParseTyped(const Token& word);
+  void WarnIfReplaced(bool is_replaced, const Token& word);
+
+  Tokenizer& tokens_;
+  BlockReader& blocks_;
+  Diagnostics& diagnostics_;
+};
+
+/// Takes the parameter `type` out of a block's parameters. When it is missing that is reported and
+/// the type is empty, unless there is a default.
+TypedSpec TakeType(ParamSet params, const SourceLocation& where, std::string_view block,
+                   std::string_view default_type, Diagnostics* diagnostics);
+
+}  // namespace candela

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "geometry/surface_point.h"
+#include "materials/bsdf.h"
+#include "math/spectrum.h"
+
+namespace candela {
+
+/// The terms of the Phong model at a point: Phong, "Illumination for Computer Generated Pictures",
+/// 1975, in the form of the course. Not physical: the numbers multiply light as they are.
+struct PhongTerms {
+  Rgb ambient;  ///< Multiplies the ambient light.
+  Rgb diffuse;
+  Rgb specular;  ///< Of highlights and of mirror reflection alike.
+  float shininess = 0;
+};
+
+/// What a surface does with light. Immutable; called concurrently.
+class Material {
+ public:
+  virtual ~Material() = default;
+
+  /// For the `whitted` integrator.
+  virtual PhongTerms Phong(const SurfacePoint& point) const = 0;
+
+  /// For light transport: adds the lobes at `point` to a Bsdf whose frame is set.
+  virtual void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const = 0;
+
+  /// False when `Evaluate` cannot say all that the material does.
+  virtual bool IsPhysical() const = 0;
+};
+
+}  // namespace candela

@@ -1,0 +1,18 @@
+#include "materials/phong.h"
+
+namespace candela {
+
+std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
+  PhongTerms terms;
+  terms.diffuse = params->Color("diffuse", {1, 1, 1});
+  terms.ambient = params->Has("diffuse") ? terms.diffuse : Rgb();
+  terms.specular = params->Color("specular", {0, 0, 0});
+  terms.shininess = params->Number("shininess", 0);
+  return std::make_unique<PhongMaterial>(terms);
+}
+
+void PhongMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
+  bsdf->Add({LobeKind::kLambert, Spectrum(terms_.diffuse)});
+}
+
+}  // namespace candela

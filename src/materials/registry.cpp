@@ -1,0 +1,31 @@
+#include "materials/registry.h"
+
+#include "materials/diffuse.h"
+#include "materials/phong.h"
+#include "scene_spec/registry.h"
+
+namespace candela {
+namespace {
+
+constexpr MaterialEntry kMaterials[] = {
+    // name    create                    example
+    {"phong", &PhongMaterial::Create, "diffuse 0.8 0.2 0.2 specular 0.5 0.5 0.5 shininess 20"},
+    {"diffuse", &DiffuseMaterial::Create, "type diffuse albedo 0.8 0.8 0.8"},
+};
+
+}  // namespace
+
+std::span<const MaterialEntry> MaterialEntries() {
+  return kMaterials;
+}
+
+std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, Diagnostics* diagnostics) {
+  const MaterialEntry* entry = FindEntry<MaterialEntry>(kMaterials, spec, "material", diagnostics);
+  if (!entry) return nullptr;
+  ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  auto material = entry->create(&params);
+  params.Finish();
+  return material;
+}
+
+}  // namespace candela

@@ -1,0 +1,93 @@
+#include "render/render_job.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "base/parallel.h"
+#include "render/sample_placer.h"
+#include "render/tiles.h"
+
+namespace candela {
+
+/// What one thread needs: the tile in work and the samples that go to the integrator together.
+class RenderJob::Worker {
+ public:
+  Worker(RenderJob* job, const SamplePlacer& placer)
+      : job_(*job), placer_(placer), workspace_(job->integrator_.MakeWorkspace()) {}
+
+  void RenderTile(const PixelWindow& window) {
+    job_.film_.BeginTile(window, &tile_);
+    for (int y = window.y0; y < window.y1; ++y) {
+      for (int x = window.x0; x < window.x1; ++x) {
+        for (uint32_t index = 0; index < job_.options_.samples; ++index) {
+          const SamplePlacer::Placed placed = placer_.Place(x, y, index);
+          requests_.push_back(placed.request);
+          weights_.push_back(placed.weight);
+          if (requests_.size() == kBatch) TraceBatch();
+        }
+      }
+    }
+    TraceBatch();
+    job_.film_.EndTile(tile_);
+  }
+
+  const RayCounts& Rays() const { return workspace_->rays; }
+
+ private:
+  static constexpr size_t kBatch = 1024;
+
+  void TraceBatch() {
+    const uint64_t rays_before = workspace_->rays.Total();
+    radiance_.resize(requests_.size());
+    job_.integrator_.Trace(requests_, workspace_.get(), radiance_);
+    for (size_t i = 0; i < requests_.size(); ++i) {
+      tile_.Add(static_cast<int>(requests_[i].x), static_cast<int>(requests_[i].y),
+                radiance_[i].ToRgb(), weights_[i]);
+    }
+    job_.samples_done_.fetch_add(requests_.size(), std::memory_order_relaxed);
+    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
+    requests_.clear();
+    weights_.clear();
+  }
+
+  RenderJob& job_;
+  const SamplePlacer& placer_;
+  std::unique_ptr<Workspace> workspace_;
+  FilmTile tile_;
+  std::vector<SampleRequest> requests_;
+  std::vector<float> weights_;
+  std::vector<Spectrum> radiance_;
+};
+
+RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options)
+    : integrator_(integrator), options_(options), film_(options.crop, Film::Keep::kColours) {}
+
+uint64_t RenderJob::SamplesTotal() const {
+  return PixelCount(options_.crop) * options_.samples;
+}
+
+Result<void> RenderJob::Run(const CancelToken& cancel) {
+  const SamplePlacer placer(options_);
+  const Tiles tiles(options_.crop, options_.tile_size);
+  std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(ThreadCount()));
+  for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer);
+  ParallelForWorkers(tiles.Count(), [&](int64_t tile, int worker) {
+    if (!cancel.IsCancelled()) workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile));
+  });
+  for (const auto& worker : workers) rays_ += worker->Rays();
+  if (cancel.IsCancelled()) return Error{ErrorCode::kStopped, "stopped on request"};
+  return {};
+}
+
+uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits) {
+  // Per pixel: the film's and the encoder's floats, the quantised samples, the encoded file in the
+  // worst case, and some room for what the libraries add.
+  const uint64_t per_pixel = 12 + 12 + 6 + 8 + 8 + (with_first_hits ? 20 : 0);
+  const uint64_t pixels = PixelCount(options.crop);
+  const uint64_t most = std::numeric_limits<uint64_t>::max();
+  return pixels > most / per_pixel ? most : pixels * per_pixel;
+}
+
+}  // namespace candela

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cameras/image_plane.h"
+#include "film/film.h"
+
+namespace candela {
+
+/// Where in a pixel the samples lie and how they are weighed.
+enum class SamplePattern {
+  kCentre,      ///< All at the pixel's position.
+  kStrata,      ///< The course's `-jitter`: 4 x 4 strata, averaged.
+  kStrataTent,  ///< The same samples, weighed with a tent of radius 1.
+  kFilter,      ///< Any number, drawn from a pixel filter.
+};
+
+/// The samples of each pixel that the patterns of strata have.
+constexpr uint32_t kStrataPerSide = 4;
+constexpr uint32_t kStrataSamples = kStrataPerSide * kStrataPerSide;
+
+/// What a picture is made of, apart from the scene and the integrator.
+struct RenderOptions {
+  int width = 800, height = 800;
+  PixelWindow crop{0, 0, 800, 800};  ///< What is rendered of it; the pixels are those of the whole.
+  PixelGrid grid = PixelGrid::kCorners;
+  bool stretch = false;
+
+  SamplePattern pattern = SamplePattern::kCentre;
+  std::string filter = "box";  ///< For `kFilter`: a name of `PixelFilters()`.
+  uint32_t samples = 1;        ///< Per pixel; `kStrataSamples` for strata.
+  uint32_t seed = 0;
+  uint32_t tile_size =
+      32;  ///< Side of the blocks that threads take; changes nothing in the picture.
+};
+
+}  // namespace candela

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cameras/image_plane.h"
+#include "film/pixel_filter.h"
+#include "integrators/integrator.h"
+#include "render/render_options.h"
+
+namespace candela {
+
+/// Chooses where in a pixel each of its samples lies and what it counts. A pure function of
+/// options, pixel and sample.
+class SamplePlacer {
+ public:
+  explicit SamplePlacer(const RenderOptions& options);
+
+  struct Placed {
+    SampleRequest request;
+    float weight;
+  };
+  Placed Place(int x, int y, uint32_t index) const;
+
+  /// The sample in the middle of the pixel, whatever the pattern.
+  SampleRequest Centre(int x, int y) const;
+
+ private:
+  FilterSample PositionInPixel(int x, int y, uint32_t index) const;
+
+  ImagePlane plane_;
+  SamplePattern pattern_;
+  uint32_t seed_;
+  std::optional<PixelFilter> filter_;
+};
+
+}  // namespace candela

@@ -1,0 +1,81 @@
+#include "sampling/warp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela {
+namespace {
+
+constexpr auto kQuarterPi = static_cast<float>(kPi / 4);
+constexpr auto kTwoPi = static_cast<float>(2 * kPi);
+
+Vec3 FromHeightAndTurn(float z, float radius, float turn) {
+  const float phi = kTwoPi * turn;
+  return {radius * Cos(phi), radius * Sin(phi), z};
+}
+
+/// The azimuth as a part of a full turn, in [0, 1).
+float TurnOf(Vec3 direction) {
+  const float turn = Atan2(direction.y, direction.x) * (1 / kTwoPi);
+  return turn < 0 ? std::min(turn + 1, 0x1.fffffep-1f) : turn;
+}
+
+}  // namespace
+
+Vec2 SampleDisk(Vec2 u) {
+  const float x = 2 * u.x - 1;
+  const float y = 2 * u.y - 1;
+  if (x == 0 && y == 0) return {0, 0};
+  // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
+  // other coordinate runs along the arc.
+  if (std::abs(x) > std::abs(y)) {
+    const float phi = kQuarterPi * (y / x);
+    return {x * Cos(phi), x * Sin(phi)};
+  }
+  const float phi = kQuarterPi * (x / y);
+  return {y * Sin(phi), y * Cos(phi)};
+}
+
+Vec2 InvertDisk(Vec2 p) {
+  const float radius = std::sqrt(p.x * p.x + p.y * p.y);
+  if (radius == 0) return {0.5f, 0.5f};
+  float x, y;
+  if (std::abs(p.x) > std::abs(p.y)) {
+    x = std::copysign(radius, p.x);
+    y = x * (Atan(p.y / p.x) / kQuarterPi);
+  } else {
+    y = std::copysign(radius, p.y);
+    x = y * (Atan(p.x / p.y) / kQuarterPi);
+  }
+  return {0.5f + 0.5f * x, 0.5f + 0.5f * y};
+}
+
+Vec3 SampleCosineHemisphere(Vec2 u) {
+  const Vec2 p = SampleDisk(u);
+  return {p.x, p.y, std::sqrt(std::max(0.0f, 1 - p.x * p.x - p.y * p.y))};
+}
+
+Vec2 InvertCosineHemisphere(Vec3 direction) {
+  return InvertDisk({direction.x, direction.y});
+}
+
+Vec3 SampleUniformHemisphere(Vec2 u) {
+  // The height runs over (0, 1], so no direction lies in the horizon; its distance from 1 is u.x
+  // itself, which makes the radius sqrt(1 - z^2) exact near the pole.
+  const float z = 1 - u.x;
+  return FromHeightAndTurn(z, std::sqrt(u.x * (1 + z)), u.y);
+}
+
+Vec2 InvertUniformHemisphere(Vec3 direction) {
+  return {1 - direction.z, TurnOf(direction)};
+}
+
+Vec3 SampleUniformSphere(Vec2 u) {
+  return FromHeightAndTurn(1 - 2 * u.x, 2 * std::sqrt(u.x * (1 - u.x)), u.y);
+}
+
+Vec2 InvertUniformSphere(Vec3 direction) {
+  return {0.5f - 0.5f * direction.z, TurnOf(direction)};
+}
+
+}  // namespace candela

@@ -1,0 +1,81 @@
+#include "scene/scene.h"
+
+#include <cmath>
+
+namespace candela {
+namespace {
+
+/// A ray without a direction has no hits; comparisons alone would not always see that.
+bool IsTraceable(const Ray& ray) {
+  const float length = LengthSquared(ray.direction);
+  return length > 0 && std::isfinite(length) && IsFinite(ray.origin);
+}
+
+}  // namespace
+
+Ray Scene::ToObject(uint32_t object, const Ray& ray) const {
+  const Transform& object_from_world = objects_[object].object_from_world;
+  Ray local = ray;
+  local.origin = object_from_world.Point(ray.origin);
+  local.direction = object_from_world.Vector(ray.direction);
+  return local;
+}
+
+bool Scene::IntersectObject(uint32_t object, const Ray& ray, HitRecord* hit) const {
+  HitRecord candidate = *hit;
+  // Of equal distances the earlier object counts, whatever the order of the tree.
+  if (object < hit->object && hit->IsHit()) {
+    candidate.t = std::nextafter(hit->t, Bounds3::kInfinity);
+  }
+  if (!objects_[object].shape->Intersect(ToObject(object, ray), &candidate)) return false;
+  candidate.object = object;
+  *hit = candidate;
+  return true;
+}
+
+bool Scene::Intersect(const Ray& ray, HitRecord* hit) const {
+  if (!IsTraceable(ray)) return false;
+  bool found = false;
+  for (const uint32_t object : unbounded_) found |= IntersectObject(object, ray, hit);
+  bvh_.Traverse(ray, &hit->t, [&](uint32_t object) {
+    found |= IntersectObject(object, ray, hit);
+    return false;
+  });
+  return found;
+}
+
+bool Scene::IsOccludedBy(uint32_t object, const Ray& ray) const {
+  return objects_[object].shape->Occludes(ToObject(object, ray));
+}
+
+bool Scene::Occluded(const Ray& ray) const {
+  if (!IsTraceable(ray)) return false;
+  for (const uint32_t object : unbounded_) {
+    if (IsOccludedBy(object, ray)) return true;
+  }
+  bool found = false;
+  bvh_.Traverse(ray, &ray.t_max,
+                [&](uint32_t object) { return found = IsOccludedBy(object, ray); });
+  return found;
+}
+
+SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
+  const SceneObject& object = objects_[hit.object];
+  const SurfacePoint local = object.shape->SurfaceAt(ToObject(hit.object, ray), hit);
+  SurfacePoint world = local;
+  world.p = object.world_from_object.Point(local.p);
+  world.p_error = object.world_from_object.PointError(local.p, local.p_error);
+  // Normals go by the inverse transpose.
+  world.n_geometric = Normalize(object.object_from_world.TransposedVector(local.n_geometric));
+  world.n_shading = Normalize(object.object_from_world.TransposedVector(local.n_shading));
+  return world;
+}
+
+uint64_t Scene::MemoryBytes() const {
+  uint64_t bytes = sizeof *this + bvh_.MemoryBytes();
+  for (const SceneObject& object : objects_) bytes += sizeof object + object.shape->MemoryBytes();
+  if (background_.cube_map) bytes += background_.cube_map->MemoryBytes();
+  return bytes;
+}
+
+}  // namespace candela

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cameras/perspective_camera.h"
+#include "geometry/hit_record.h"
+#include "geometry/ray.h"
+#include "geometry/surface_point.h"
+#include "kernel/bvh.h"
+#include "lights/light.h"
+#include "materials/material.h"
+#include "math/transform.h"
+#include "scene/background.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+/// A shape with its place in the world and what it is made of.
+struct SceneObject {
+  static constexpr uint32_t kNoLight = 0xFFFFFFFF;
+
+  std::unique_ptr<const Shape> shape;
+  Transform world_from_object, object_from_world;
+  uint32_t material = 0;
+  uint32_t light = kNoLight;  ///< The area light whose surface this is.
+  std::string type;           ///< As in the registry of shapes.
+  std::string description;    ///< For people: type and line in the scene file.
+};
+
+/// A compiled scene: what integrators see. Immutable; all calls may be made concurrently.
+class Scene {
+ public:
+  /// Looks for the nearest hit with `ray.t_min <= t < hit->t`; of equal t the object that comes
+  /// first in the scene file, and in it the smallest primitive. A ray with a NaN or a zero
+  /// direction misses. False when nothing is hit; `*hit` is then as it was.
+  bool Intersect(const Ray& ray, HitRecord* hit) const;
+
+  /// Whether anything lies in `ray.t_min <= t < ray.t_max`.
+  bool Occluded(const Ray& ray) const;
+
+  /// The hit point in world space, with unit normals.
+  SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
+
+  const PerspectiveCamera& camera() const { return camera_; }
+  const Background& background() const { return background_; }
+  const std::vector<SceneObject>& objects() const { return objects_; }
+  /// In the order of the scene file, the ones of area included.
+  const std::vector<std::unique_ptr<const Light>>& lights() const { return lights_; }
+  const Material& material(const HitRecord& hit) const {
+    return *materials_[objects_[hit.object].material];
+  }
+  const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
+
+  /// The box around all bounded objects.
+  Bounds3 Bounds() const { return bvh_.Bounds(); }
+  uint64_t MemoryBytes() const;
+
+ private:
+  friend class SceneCompiler;
+  explicit Scene(const CameraSpec& camera) : camera_(camera) {}
+
+  bool IntersectObject(uint32_t object, const Ray& ray, HitRecord* hit) const;
+  bool IsOccludedBy(uint32_t object, const Ray& ray) const;
+  Ray ToObject(uint32_t object, const Ray& ray) const;
+
+  PerspectiveCamera camera_;
+  Background background_;
+  std::vector<SceneObject> objects_;
+  std::vector<std::unique_ptr<const Light>> lights_;
+  std::vector<std::unique_ptr<const Material>> materials_;
+  Bvh bvh_;                          ///< Over the bounded objects.
+  std::vector<uint32_t> unbounded_;  ///< Stand beside the tree.
+};
+
+}  // namespace candela

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/mat4.h"
+#include "math/spectrum.h"
+#include "scene_spec/mesh_spec.h"
+#include "scene_spec/param_set.h"
+
+namespace candela {
+
+/// A camera as a scene describes it.
+struct CameraSpec {
+  Vec3 center;
+  Vec3 direction{0, 0, -1};  ///< Where it looks; any length but 0.
+  Vec3 up{0, 1, 0};          ///< Not parallel to `direction`, not necessarily orthogonal to it.
+  float fov_degrees = 30;    ///< Full vertical angle, in (0, 180).
+};
+
+/// What rays see that hit nothing, and the light that is everywhere.
+struct BackgroundSpec {
+  Rgb color;
+  Rgb ambient_light;
+  /// Folder with the six faces, as written; replaces `color`.
+  std::string cube_map;
+  SourceLocation cube_map_where;
+};
+
+/// A material with the name that nodes may use for it.
+struct MaterialSpec {
+  TypedSpec material;
+  std::string name;  ///< Empty when it has none; then only its index refers to it.
+};
+
+/// Which material an object wears: by position in `SceneSpec::materials`, or by name.
+struct MaterialReference {
+  int64_t index = -1;
+  std::string name;  ///< Counts when it is not empty.
+  SourceLocation where;
+};
+
+/// A node of the hierarchy. Whatever it holds stands in its own coordinates.
+struct NodeSpec {
+  static constexpr uint32_t kNoParent = 0xFFFFFFFF;
+
+  uint32_t parent = kNoParent;
+  Mat4 parent_from_node = Mat4::Identity();
+  SourceLocation transform_where;
+  std::optional<TypedSpec> object;
+  std::optional<TypedSpec> light;
+  std::optional<MaterialReference> material;
+};
+
+/// A scene as its file describes it: plain, editable data without meaning beyond its grammar.
+/// `CompileScene` makes a `Scene` of it.
+struct SceneSpec {
+  std::filesystem::path folder;  ///< Paths in the scene are relative to it.
+  SourceLocation file;           ///< The file as a whole, for messages.
+  CameraSpec camera;
+  BackgroundSpec background;
+  std::vector<MaterialSpec> materials;
+  /// The hierarchy in the order of the file: each node after its parent. The first is the root.
+  std::vector<NodeSpec> nodes;
+  /// Each mesh file once, by its path as written.
+  std::map<std::string, std::shared_ptr<const MeshSpec>> meshes;
+};
+
+}  // namespace candela

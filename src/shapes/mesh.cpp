@@ -1,0 +1,112 @@
+#include "shapes/mesh.h"
+
+#include <utility>
+
+#include "geometry/triangle.h"
+#include "shapes/shape_context.h"
+
+namespace candela {
+namespace {
+
+Vec3 UnitOrZero(Vec3 v) {
+  const float length = Length(v);
+  return length > 0 ? v / length : Vec3();
+}
+
+std::vector<Bounds3> TriangleBounds(const MeshSpec& spec) {
+  std::vector<Bounds3> boxes(spec.triangles.size());
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    for (const uint32_t corner : spec.triangles[i]) boxes[i].Extend(spec.positions[corner]);
+  }
+  return boxes;
+}
+
+}  // namespace
+
+std::unique_ptr<Shape> Mesh::Create(ParamReader* params, ShapeContext* context) {
+  const std::string path = params->RequiredWord("obj_file");
+  auto spec = path.empty() ? nullptr : context->find_mesh(path);
+  return spec ? std::make_unique<Mesh>(std::move(spec)) : nullptr;
+}
+
+Mesh::Mesh(std::shared_ptr<const MeshSpec> spec)
+    : spec_(std::move(spec)), bvh_(TriangleBounds(*spec_)) {
+  if (spec_->normal_corners.empty()) ComputeVertexNormals();
+}
+
+void Mesh::ComputeVertexNormals() {
+  vertex_normals_.resize(spec_->positions.size());
+  for (const auto& [a, b, c] : spec_->triangles) {
+    const Vec3 pa = spec_->positions[a];
+    const Vec3 n = Cross(spec_->positions[b] - pa, spec_->positions[c] - pa);
+    for (const uint32_t corner : {a, b, c}) vertex_normals_[corner] += n;
+  }
+  for (Vec3& n : vertex_normals_) n = UnitOrZero(n);
+}
+
+Vec3 Mesh::CornerNormal(uint32_t triangle, size_t corner, Vec3 face_normal) const {
+  Vec3 n;
+  if (!vertex_normals_.empty()) {
+    n = vertex_normals_[spec_->triangles[triangle][corner]];
+  } else if (const uint32_t index = spec_->normal_corners[triangle][corner];
+             index != MeshSpec::kNoNormal) {
+    n = spec_->normals[index];
+  }
+  return n == Vec3() ? face_normal : n;
+}
+
+bool Mesh::Intersect(const Ray& ray, HitRecord* hit) const {
+  const ShearedRay sheared(ray);
+  bool found = false;
+  bvh_.Traverse(ray, &hit->t, [&](uint32_t triangle) {
+    const auto& [a, b, c] = spec_->triangles[triangle];
+    HitRecord candidate = *hit;
+    // Of equal distances the smaller index counts, whatever the order of the tree.
+    if (found && triangle < hit->primitive) {
+      candidate.t = std::nextafter(hit->t, Bounds3::kInfinity);
+    }
+    if (IntersectTriangle(sheared, ray.t_min, spec_->positions[a], spec_->positions[b],
+                          spec_->positions[c], &candidate)) {
+      candidate.primitive = triangle;
+      *hit = candidate;
+      found = true;
+    }
+    return false;
+  });
+  return found;
+}
+
+bool Mesh::Occludes(const Ray& ray) const {
+  const ShearedRay sheared(ray);
+  HitRecord hit;
+  hit.t = ray.t_max;
+  bool found = false;
+  bvh_.Traverse(ray, &ray.t_max, [&](uint32_t triangle) {
+    const auto& [a, b, c] = spec_->triangles[triangle];
+    found = IntersectTriangle(sheared, ray.t_min, spec_->positions[a], spec_->positions[b],
+                              spec_->positions[c], &hit);
+    return found;
+  });
+  return found;
+}
+
+SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
+  const auto& corners = spec_->triangles[hit.primitive];
+  const Vec3 a = spec_->positions[corners[0]];
+  const Vec3 b = spec_->positions[corners[1]];
+  const Vec3 c = spec_->positions[corners[2]];
+  const Vec3 face_normal = UnitOrZero(Cross(b - a, c - a));
+  const Vec3 blended = CornerNormal(hit.primitive, 0, face_normal) * (1 - hit.u - hit.v) +
+                       CornerNormal(hit.primitive, 1, face_normal) * hit.u +
+                       CornerNormal(hit.primitive, 2, face_normal) * hit.v;
+  return {TrianglePoint(a, b, c, hit.u, hit.v), TrianglePointError(a, b, c, hit.u, hit.v),
+          face_normal, LengthSquared(blended) > 0 ? blended : face_normal};
+}
+
+uint64_t Mesh::MemoryBytes() const {
+  const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
+  return sizeof *this + bvh_.MemoryBytes() + bytes(vertex_normals_) + bytes(spec_->positions) +
+         bytes(spec_->normals) + bytes(spec_->triangles) + bytes(spec_->normal_corners);
+}
+
+}  // namespace candela

@@ -1,0 +1,33 @@
+#include "shapes/plane.h"
+
+namespace candela {
+
+std::unique_ptr<Shape> Plane::Create(ParamReader* params, ShapeContext*) {
+  const Vec3 normal = params->RequiredDirection("normal");
+  const float offset = params->RequiredNumber("offset");
+  return std::make_unique<Plane>(normal, offset);
+}
+
+// Inserting p = o + t d into Dot(n, p) = offset gives one linear equation.
+bool Plane::Intersect(const Ray& ray, HitRecord* hit) const {
+  const float approach = Dot(normal_, ray.direction);
+  if (approach == 0) return false;  // Parallel: no hit, or the whole ray lies inside.
+
+  const float t = (offset_ - Dot(normal_, ray.origin)) / approach;
+  if (!(t >= ray.t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
+  hit->t = t;
+  hit->primitive = 0;
+  return true;
+}
+
+SurfacePoint Plane::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
+  // Moved onto the plane; what remains is the rounding of its coordinates and of the offset.
+  const Vec3 p = ray.At(hit.t);
+  const Vec3 on_plane = p + normal_ * ((offset_ - Dot(normal_, p)) / Dot(normal_, normal_));
+  const float largest =
+      std::max({std::abs(on_plane.x), std::abs(on_plane.y), std::abs(on_plane.z)});
+  const float error = largest * 6e-7f;
+  return {on_plane, {error, error, error}, normal_, normal_};
+}
+
+}  // namespace candela

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "scene_spec/param_reader.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+struct ShapeContext;
+
+/// The infinite plane of the points p with Dot(normal, p) = offset, the normal as it was written,
+/// of any length but 0. It is hit from both sides.
+class Plane final : public Shape {
+ public:
+  Plane(Vec3 normal, float offset) : normal_(normal), offset_(offset) {}
+  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+
+  Bounds3 ObjectBounds() const override { return Bounds3::Infinite(); }
+  bool Intersect(const Ray& ray, HitRecord* hit) const override;
+  SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  Vec3 normal_;
+  float offset_;
+};
+
+}  // namespace candela

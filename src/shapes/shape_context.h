@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "scene_spec/mesh_spec.h"
+
+namespace candela {
+
+class Shape;
+
+/// What a shape may ask for while it is created.
+struct ShapeContext {
+  Diagnostics* diagnostics;
+  SourceLocation where;  ///< Of the object that is created.
+
+  /// The mesh of a file that the scene names; null when it could not be loaded, which has been
+  /// reported.
+  std::function<std::shared_ptr<const MeshSpec>(const std::string& path)> find_mesh;
+};
+
+}  // namespace candela

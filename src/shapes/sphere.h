@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "scene_spec/param_reader.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+struct ShapeContext;
+
+/// A sphere around the origin. Its normal points outwards.
+class Sphere final : public Shape {
+ public:
+  explicit Sphere(float radius) : radius_(radius) {}
+  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+
+  Bounds3 ObjectBounds() const override;
+  bool Intersect(const Ray& ray, HitRecord* hit) const override;
+  SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  float radius_;
+};
+
+}  // namespace candela

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "scene_spec/param_reader.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+struct ShapeContext;
+
+/// A flat triangle, edges included, hit from both sides. Its normal points to where its corners are
+/// seen counter-clockwise.
+class Triangle final : public Shape {
+ public:
+  Triangle(Vec3 a, Vec3 b, Vec3 c) : corners_{a, b, c} {}
+  /// Null, with a warning, for a triangle without area.
+  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+
+  Bounds3 ObjectBounds() const override;
+  bool Intersect(const Ray& ray, HitRecord* hit) const override;
+  SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  Vec3 Normal() const;
+
+  std::array<Vec3, 3> corners_;
+};
+
+}  // namespace candela

@@ -99,8 +99,10 @@ TEST_F(ProgressTest, SignalsStopItWithinASecondAndLeaveTheOldPicture) {
     EXPECT_TRUE(program.WaitForError("%", 60));
     const Stopwatch clock;
     program.Signal(signal);
-    EXPECT_EQ(program.Finish().status, 128 + signal);
+    const ProgramEnd end = program.Finish();
     EXPECT_LT(clock.Seconds(), 1);
+    EXPECT_EQ(end.status, 128 + signal);
+    EXPECT_THAT(end.err, testing::EndsWith("\n"));  // The next prompt begins a line.
     EXPECT_EQ(Bytes("o.png"), "the old picture");
     EXPECT_THAT(folder_.Names(), ElementsAre("o.png", "scene.txt"));
   }

@@ -30,10 +30,12 @@ int64_t SizeOfBytes(exr_const_context_t, void* user_data) {
   return static_cast<int64_t>(static_cast<std::string_view*>(user_data)->size());
 }
 
-/// Unpacks the blocks of a file one after the other into the channels of a picture.
+/// Unpacks the blocks of a file one after the other into a picture that has room for all channels:
+/// the library may leave some out, but its faster loops do not know that and write through the null
+/// pointer that stands for such a channel.
 class BlockReader {
  public:
-  /// `slots` says for each channel of the file which channel of `image` takes it; -1 leaves it out.
+  /// `slots` says for each channel of the file which channel of `image` takes it.
   BlockReader(exr_context_t context, std::vector<int> slots, Image* image)
       : context_(context), slots_(std::move(slots)), image_(*image) {}
   ~BlockReader() { exr_decoding_destroy(context_, &pipeline_); }
@@ -52,8 +54,6 @@ class BlockReader {
     float* corner = image_.Pixel(static_cast<int>(x), static_cast<int>(y)).data();
     for (size_t c = 0; c < slots_.size(); ++c) {
       exr_coding_channel_info_t& channel = pipeline_.channels[c];
-      channel.decode_to_ptr = nullptr;
-      if (slots_[c] < 0) continue;
       channel.user_bytes_per_element = sizeof(float);
       channel.user_data_type = EXR_PIXEL_FLOAT;
       channel.user_pixel_stride = image_.Channels() * static_cast<int>(sizeof(float));
@@ -124,6 +124,28 @@ Result<Names> ChooseColours(const Names& available) {
   return wanted;
 }
 
+/// For each of the channels of a file its place behind each other: the wanted ones first.
+std::vector<int> PlaceChannels(const Names& available, const Names& wanted) {
+  std::vector<int> slots;
+  auto next = static_cast<int>(wanted.size());
+  for (const std::string& name : available) {
+    const auto found = std::find(wanted.begin(), wanted.end(), name);
+    slots.push_back(found == wanted.end() ? next++ : static_cast<int>(found - wanted.begin()));
+  }
+  return slots;
+}
+
+Image FirstChannels(const Image& image, size_t count) {
+  Image result(image.Width(), image.Height(), static_cast<int>(count));
+  float* out = result.Samples().data();
+  for (int y = 0; y < image.Height(); ++y) {
+    for (int x = 0; x < image.Width(); ++x) {
+      out = std::copy_n(image.Pixel(x, y).data(), count, out);
+    }
+  }
+  return result;
+}
+
 /// The picture must be worth its memory: each block has at least its place in a table (8 bytes) and
 /// a head of 8 bytes, and holds a limited number of lines.
 Result<void> CheckBlocks(exr_context_t context, size_t file_size) {
@@ -187,21 +209,14 @@ Result<ExrPicture> Read(std::string_view bytes, int64_t most_bytes, const Choice
   }
   Result<Names> wanted = choose(available);
   if (!wanted) return wanted.error();
-  std::vector<int> slots;
-  for (const std::string& name : available) {
-    const auto found = std::find(wanted->begin(), wanted->end(), name);
-    slots.push_back(found == wanted->end() ? -1 : static_cast<int>(found - wanted->begin()));
-  }
-
-  ExrPicture picture{
-      Image(static_cast<int>(width), static_cast<int>(height), static_cast<int>(wanted->size())),
-      *std::move(wanted)};
-  BlockReader reader(context.handle, std::move(slots), &picture.image);
+  Image image(static_cast<int>(width), static_cast<int>(height), list->num_channels);
+  BlockReader reader(context.handle, PlaceChannels(available, *wanted), &image);
   code = storage == EXR_STORAGE_TILED
-             ? ReadTiles(context.handle, picture.image.Width(), picture.image.Height(), &reader)
-             : ReadScanlines(context.handle, window, picture.image.Height(), &reader);
+             ? ReadTiles(context.handle, image.Width(), image.Height(), &reader)
+             : ReadScanlines(context.handle, window, image.Height(), &reader);
   if (code != EXR_ERR_SUCCESS) return Wrong(ExrMessage(code));
-  return picture;
+  if (wanted->size() < available.size()) image = FirstChannels(image, wanted->size());
+  return ExrPicture{std::move(image), *std::move(wanted)};
 }
 
 }  // namespace

@@ -9,9 +9,10 @@
 namespace candela {
 namespace {
 
-// Measured on rendered pictures of 800 x 800 pixels: one fixed filter with run lengths only is
-// faster than level 1, and on noisy pictures the file is a sixth smaller; Up is the cheapest of the
-// filters that do so. For the small file the library tries all filters and all matches.
+// Measured on rendered pictures of 800 x 800 pixels: with one fixed filter, looking for runs only
+// takes as long as looking for matches at level 1, and gives files from 15 % larger (smooth shades)
+// to 45 % smaller. Of the filters Up is among the cheapest and compresses best. For the small file
+// the library tries all filters and all matches.
 struct Settings {
   int filters, strategy, level;
 };

@@ -1,26 +1,22 @@
-// The Radiance reader: what it accepts is finite, not negative, and survives being written.
+// HDR files: a picture or an error, and a picture that was written once stays the same. (The first
+// time mantissas are brought to full precision, which takes the very darkest colours below the
+// format.)
 #include "image/hdr.h"
-
-#include <algorithm>
-#include <cmath>
-
 #include "base/check.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
   using namespace candela;
   constexpr int64_t kMostBytes = 1 << 22;
-  std::vector<std::string> warnings;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const Result<Image> image = DecodeHdr(bytes, &warnings, kMostBytes);
-  if (!image) return 0;
-  CHECK(image->Channels() == 3 && !image->IsEmpty());
-  const std::span<const float> samples = image->Samples();
-  CHECK(std::all_of(samples.begin(), samples.end(),
-                    [](float value) { return std::isfinite(value) && value >= 0.0f; }));
-
-  const Result<std::string> file = EncodeHdr(*image);
-  CHECK(file.ok());
-  const Result<Image> again = DecodeHdr(*file);
-  CHECK(again.ok() && again->Width() == image->Width() && again->Height() == image->Height());
+  const auto decoded = DecodeHdr(bytes, nullptr, kMostBytes);
+  if (!decoded) {
+    CHECK(!decoded.error().message.empty() && decoded.error().message.size() < 400);
+    return 0;
+  }
+  CHECK(decoded->Channels() >= 1 && decoded->Channels() <= 4);
+  const auto written = EncodeHdr(*decoded);
+  CHECK(written.ok());
+  const auto again = DecodeHdr(*written, nullptr, kMostBytes);
+  CHECK(again.ok() && EncodeHdr(*again).value() == *written);
   return 0;
 }

@@ -1,109 +1,105 @@
-// The PNG reader. A mutator of its own repairs the checksums, without which hardly an input would
-// come past the first chunk, and now and then changes the scanlines inside the compressed data.
-#include <zlib.h>
-
+// PNG files. A checksum guards every chunk and the pixels are compressed, so that changed bytes
+// alone would never get past the first check: the mutator changes what is inside and makes the rest
+// fit.
 #include <algorithm>
 #include <cstring>
-#include <string>
-#include <string_view>
+#include <random>
 
 #include "base/check.h"
-#include "image/png_chunks.h"
+#include "fuzz/png_parts.h"
 #include "image/png_read.h"
 #include "image/png_write.h"
 
-extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t max_size);
+extern "C" size_t LLVMFuzzerMutate(unsigned char* data, size_t size, size_t most);
 
 namespace {
 
-constexpr int64_t kMostBytes = 1 << 22;
-constexpr size_t kMostScanlines = 1 << 16;
+using candela::fuzz::PngPart;
 
-void PutBigEndian32(uint32_t value, char* to) {
-  for (int shift = 24; shift >= 0; shift -= 8) *to++ = static_cast<char>(value >> shift);
+constexpr size_t kMostData = 1 << 16;
+
+/// What libFuzzer does to a text of its own.
+std::string Mutated(std::string text, size_t most_growth) {
+  const size_t size = text.size();
+  text.resize(size + most_growth);
+  text.resize(LLVMFuzzerMutate(reinterpret_cast<unsigned char*>(text.data()), size, text.size()));
+  return text;
 }
 
-const Bytef* Unsigned(const char* bytes) {
-  return reinterpret_cast<const Bytef*>(bytes);
+/// Puts new pixel data in the place of all IDAT chunks, cut in two at times.
+void ReplaceData(const std::string& stream, bool in_two, std::vector<PngPart>* parts) {
+  const auto is_data = [](const PngPart& part) { return part.type == "IDAT"; };
+  const auto first = std::find_if(parts->begin(), parts->end(), is_data);
+  const auto place = first - parts->begin();
+  parts->erase(std::remove_if(parts->begin(), parts->end(), is_data), parts->end());
+  const size_t cut = in_two ? stream.size() / 2 : stream.size();
+  parts->insert(parts->begin() + place, {"IDAT", stream.substr(0, cut)});
+  if (in_two) parts->insert(parts->begin() + place + 1, {"IDAT", stream.substr(cut)});
 }
 
-/// Sets the checksum of each chunk that is there as a whole.
-void RepairChecksums(std::string* file) {
-  for (size_t at = 8; file->size() - std::min(at, file->size()) >= 12;) {
-    char* chunk = file->data() + at;
-    size_t length = 0;
-    for (size_t i = 0; i < 4; ++i) length = length << 8 | static_cast<uint8_t>(chunk[i]);
-    if (length > file->size() - at - 12) return;
-    PutBigEndian32(static_cast<uint32_t>(crc32_z(0, Unsigned(chunk + 4), length + 4)),
-                   chunk + 8 + length);
-    at += length + 12;
+void MutateParts(std::minstd_rand& random, std::vector<PngPart>* parts) {
+  const auto pick = [&] { return parts->begin() + static_cast<long>(random() % parts->size()); };
+  switch (random() % 6) {
+    case 0:
+    case 1: {
+      PngPart& part = *pick();
+      part.content = Mutated(std::move(part.content), 64);
+      break;
+    }
+    case 2:
+    case 3:
+      ReplaceData(candela::fuzz::Compress(Mutated(ExpandData(*parts, kMostData), 64)),
+                  random() % 4 == 0, parts);
+      break;
+    case 4: {
+      const PngPart copy = *pick();
+      parts->insert(pick(), copy);
+      break;
+    }
+    default:
+      if (random() % 2 == 0) {
+        parts->erase(pick());
+      } else {
+        std::iter_swap(pick(), pick());
+      }
   }
-}
-
-/// Changes the unpacked data of a sound file and packs it again into one chunk. False when there is
-/// nothing to unpack.
-bool MutateScanlines(std::string* file) {
-  const auto png = candela::ReadPngChunks(*file, nullptr);
-  if (!png) return false;
-  std::string packed;
-  for (const std::string_view piece : png->data) packed += piece;
-  std::string scanlines(kMostScanlines, '\0');
-  uLongf size = scanlines.size();
-  auto* out = reinterpret_cast<Bytef*>(scanlines.data());
-  uncompress(out, &size, Unsigned(packed.data()),
-             packed.size());  // What came before an error, too.
-  size = LLVMFuzzerMutate(out, std::min<size_t>(size, kMostScanlines / 2), kMostScanlines);
-
-  uLongf bound = compressBound(size);
-  std::string chunk(bound + 12, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(chunk.data() + 8), &bound, out, size, 1) != Z_OK) {
-    return false;
-  }
-  chunk.resize(bound + 12);
-  PutBigEndian32(static_cast<uint32_t>(bound), chunk.data());
-  std::memcpy(chunk.data() + 4, "IDAT", 4);
-  const auto first_data = static_cast<size_t>(png->data[0].data() - file->data()) - 8;
-  constexpr std::string_view kEnd("\0\0\0\0IEND\0\0\0\0", 12);
-  file->resize(first_data);
-  file->append(chunk).append(kEnd);
-  return true;
 }
 
 }  // namespace
 
-extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max_size,
+extern "C" size_t LLVMFuzzerCustomMutator(unsigned char* data, size_t size, size_t most,
                                           unsigned seed) {
-  std::string file(reinterpret_cast<const char*>(data), size);
-  if (seed % 4 != 0 || !MutateScanlines(&file)) {
-    file.resize(max_size);
-    file.resize(LLVMFuzzerMutate(reinterpret_cast<uint8_t*>(file.data()), size, max_size));
-  }
-  if (seed % 16 != 1) RepairChecksums(&file);
-  if (file.size() > max_size) file.resize(max_size);
-  std::memcpy(data, file.data(), file.size());
-  return file.size();
+  std::minstd_rand random(seed);
+  auto parts = candela::fuzz::SplitPng({reinterpret_cast<const char*>(data), size});
+  // Now and then the file as such: cut, surplus, wrong checksums and lengths.
+  if (parts.empty() || random() % 8 == 0) return LLVMFuzzerMutate(data, size, most);
+  MutateParts(random, &parts);
+  const std::string file = JoinPng(parts);
+  const size_t length = std::min(file.size(), most);
+  std::memcpy(data, file.data(), length);
+  return length;
 }
 
-extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
   using namespace candela;
-  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  constexpr int64_t kMostBytes = 1 << 22;
   std::vector<std::string> warnings;
-  const Result<PngImage> png = DecodePng(bytes, &warnings, kMostBytes);
-  if (!png) {
-    CHECK(!png.error().message.empty());
+  const auto decoded =
+      DecodePng({reinterpret_cast<const char*>(data), size}, &warnings, kMostBytes);
+  if (!decoded) {
+    CHECK(!decoded.error().message.empty() && decoded.error().message.size() < 400);
     return 0;
   }
+  CHECK(decoded->Channels() >= 1 && decoded->Channels() <= 4);
+
+  // What was read is written and read again without loss.
   std::visit(
-      [](const auto& image) {
-        CHECK(!image.IsEmpty() && static_cast<int64_t>(image.Samples().size_bytes()) <= kMostBytes);
-        if (image.PixelCount() > 4096) return;
-        const Result<std::string> file = EncodePng(image);
-        CHECK(file.ok());
-        std::vector<std::string> none;
-        const Result<PngImage> again = DecodePng(*file, &none);
-        CHECK(again.ok() && none.empty());
-        CHECK(std::get<std::decay_t<decltype(image)>>(again->pixels) == image);
+      [&]<class T>(const Raster<T>& pixels) {
+        const auto bytes = EncodePng(pixels);
+        CHECK(bytes.ok());
+        const auto again = DecodePng(*bytes, nullptr, kMostBytes);
+        CHECK(again.ok() && std::get<Raster<T>>(again->pixels) == pixels);
       },
-      png->pixels);
+      decoded->pixels);
   return 0;
 }

@@ -80,7 +80,7 @@ class SceneCompiler {
       return;
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
-                                Transform(*object_from_world), *material, light,
+                                Transform(*object_from_world), *material, light, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
   }
 

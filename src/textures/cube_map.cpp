@@ -53,13 +53,20 @@ Rgb Blend(const Raster<T>& face, float u, float v) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> CubeMap::FaceFiles(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  for (const char* name : kFileNames) paths.push_back(folder / name);
+  return paths;
+}
+
 std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
                                      const SourceLocation& asked, Diagnostics* diagnostics) {
   CubeMap map;
+  const std::vector<std::filesystem::path> paths = FaceFiles(folder);
   std::array<Diagnostics, kFaces> found;  // One for each task, so that the order stays fixed.
   ParallelFor(kFaces, [&](int64_t i) {
     const auto face = static_cast<size_t>(i);
-    const std::filesystem::path path = folder / kFileNames[face];
+    const std::filesystem::path& path = paths[face];
     const Result<std::string> bytes = ReadFile(path);
     if (!bytes) {
       found[face].Error(

@@ -214,14 +214,35 @@ TEST(PngFilters, AreUndoneForAllSizesOfAPixel) {
   }
 }
 
-// Left 10, above 20, above left 12: the estimate 18 is nearest to 20.
+/// The predictor in the words of the standard.
+int PaethByTheStandard(int a, int b, int c) {
+  const int p = a + b - c;
+  const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
+  if (pa <= pb && pa <= pc) return a;
+  return pb <= pc ? b : c;
+}
+
+// A second pixel of difference 0 is the prediction itself; the first one, whose left neighbours
+// count as 0, is predicted by the one above it. The rows come in pairs: neighbours, prediction.
 TEST(PngFilters, PaethPredictsTheNearestNeighbour) {
-  const Result<PngImage> png =
-      DecodePng(PngOf(PngHeader(2, 2, 8, 0), Bytes({0, 12, 20, 4, 10 - 12, 5})));
-  ASSERT_TRUE(png.ok());
-  const auto& image = std::get<ByteImage>(png->pixels);
-  EXPECT_EQ(image.At(0, 1), 10);
-  EXPECT_EQ(image.At(1, 1), 25);
+  for (int corner = 0; corner < 256; corner += 15) {
+    std::string rows;
+    for (int left = 0; left < 256; ++left) {
+      for (int above = 0; above < 256; ++above) {
+        rows += Bytes({0, corner, above, 4, left - corner, 0});
+      }
+    }
+    const Result<PngImage> png = DecodePng(PngOf(PngHeader(2, 2 * 256 * 256, 8, 0), rows));
+    ASSERT_TRUE(png.ok()) << png.error().message;
+    const auto& image = std::get<ByteImage>(png->pixels);
+    for (int left = 0; left < 256; ++left) {
+      for (int above = 0; above < 256; ++above) {
+        ASSERT_EQ(image.At(1, 2 * (256 * left + above) + 1),
+                  PaethByTheStandard(left, above, corner))
+            << left << " " << above << " " << corner;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -46,19 +46,20 @@ void AddCamera(Writer* writer) {
               writer->Number(-0.1, 0.1));
 }
 
+/// A plane below everything, a little tilted: in any other place it would hide the rest.
+void AddFloor(Writer* writer) {
+  writer->Add("Node {{ Component<Material> {{ index 1 }} Component<Object> {{ type plane ");
+  writer->Add("normal {:.3f} 1 0.1 ", writer->Number(-0.2, 0.2));
+  writer->Add("offset {:.3f} }} }}\n", writer->Number(-3, -2));
+}
+
 void AddObject(Writer* writer) {
-  switch (writer->Below(3)) {
-    case 0:
-      writer->Add("type sphere radius {:.3f}", writer->Number(0.3, 1.2));
-      break;
-    case 1:
-      writer->AddVector("type plane normal", 0.1, 1);
-      writer->Add("offset {:.3f}", writer->Number(-6, -3));
-      break;
-    default:
-      writer->Add("type triangle ");
-      for (const char* name : {"vertex0", "vertex1", "vertex2"}) writer->AddVector(name, -2, 2);
+  if (writer->Below(2) == 0) {
+    writer->Add("type sphere radius {:.3f}", writer->Number(0.3, 1));
+    return;
   }
+  writer->Add("type triangle ");
+  for (const char* name : {"vertex0", "vertex1", "vertex2"}) writer->AddVector(name, -1.5, 1.5);
 }
 
 void AddTransform(Writer* writer) {
@@ -90,7 +91,7 @@ void AddNodes(Writer* writer, uint32_t materials) {
 
 void AddDirectionalLight(Writer* writer) {
   writer->Add("Node {{ Component<Light> {{ type directional ");
-  writer->AddVector("direction", -1, -0.1);
+  writer->Add("direction {:.3f} -1 -0.7 ", writer->Number(-0.8, 0.8));
   writer->AddVector("color", 0.2, 0.9);
   writer->Add("}} }}\n");
 }
@@ -113,6 +114,7 @@ std::string RandomScene(uint32_t seed) {
     writer.Add("shininess {:.3f} }}\n", writer.Number(0.5, 60));
   }
   writer.Add("}}\nScene {{\n");
+  AddFloor(&writer);
   for (int i = 0; i < 6; ++i) AddNodes(&writer, kMaterials);
   AddDirectionalLight(&writer);
   writer.Add("Node {{ Transform {{ ");
@@ -135,6 +137,7 @@ std::string RandomDiffuseScene(uint32_t seed) {
     writer.Add("}}\n");
   }
   writer.Add("}}\nScene {{\n");
+  AddFloor(&writer);
   for (int i = 0; i < 4; ++i) AddNodes(&writer, kMaterials);
   AddDirectionalLight(&writer);
   writer.Add(

@@ -10,6 +10,7 @@
 #include "loaders/course/block_reader.h"
 #include "loaders/course/node_parser.h"
 #include "loaders/obj/obj_reader.h"
+#include "loaders/text/nul_check.h"
 #include "loaders/text/tokenizer.h"
 #include "scene_spec/param_reader.h"
 
@@ -167,21 +168,6 @@ class Parser {
   Section camera_, background_;
   bool have_materials_ = false;
 };
-
-/// Reports a NUL byte, which no text has; true when there is one.
-bool HasNul(const std::shared_ptr<const std::string>& file, std::string_view text,
-            Diagnostics* diagnostics) {
-  const size_t at = text.find('\0');
-  if (at == std::string_view::npos) return false;
-  const std::string_view before = text.substr(0, at);
-  SourceLocation where{file, 1, static_cast<uint32_t>(at + 1)};
-  for (const char c : before) where.line += c == '\n';
-  if (const size_t line_end = before.rfind('\n'); line_end != std::string_view::npos) {
-    where.column = static_cast<uint32_t>(at - line_end);
-  }
-  diagnostics->Error(where, "a text file is due, found a NUL byte");
-  return true;
-}
 
 }  // namespace
 

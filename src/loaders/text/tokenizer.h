@@ -23,7 +23,7 @@ struct Token {
 
 /// Cuts a scene text into words. White space separates words; braces are words of their own without
 /// any around them; `#` starts a comment that ends with the line. A byte order mark at the start is
-/// skipped. The text must not hold a NUL byte (see `FindNul`).
+/// skipped. The text must not hold a NUL byte (see `HasNul`).
 class Tokenizer {
  public:
   Tokenizer(std::shared_ptr<const std::string> file, std::string_view text);

@@ -86,6 +86,12 @@ std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
   return map;
 }
 
+std::vector<std::filesystem::path> CubeMap::FilesIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const char* name : kFileNames) files.push_back(folder / name);
+  return files;
+}
+
 Rgb CubeMap::Lookup(Vec3 d) const {
   const int axis = LargestAxis(d);
   const float m = std::abs(d[axis]);

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "image/raster.h"
@@ -23,6 +24,9 @@ class CubeMap {
   /// the place that asks for it, one with wrong content under its own name.
   static std::optional<CubeMap> Load(const std::filesystem::path& folder,
                                      const SourceLocation& asked, Diagnostics* diagnostics);
+
+  /// The files that `Load` reads.
+  static std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder);
 
   /// The colour in a direction of any length but 0, from 0 to 1.
   Rgb Lookup(Vec3 direction) const;

@@ -94,8 +94,10 @@ class SceneCompiler {
     const auto object_from_world = InverseAffine(world_from_node);
     if (!object_from_world) {
       const bool has_own = node.transform_where.line != 0;
-      diagnostics_.Warning(has_own ? node.transform_where : spec.where,
-                           "the object is left out: its transform is singular");
+      diagnostics_.Warning(
+          has_own ? node.transform_where : spec.where,
+          "the object is left out: its transform is singular (it has no inverse in "
+          "single precision)");
       return;
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),

@@ -12,8 +12,6 @@
 namespace candela {
 namespace {
 
-constexpr const char* kThreeNumbers = "three numbers";
-
 bool IsAny(float) {
   return true;
 }
@@ -25,6 +23,9 @@ bool IsNonNegative(float value) {
 }
 bool IsAngle(float value) {
   return value > 0 && value < 180;
+}
+bool IsFraction(float value) {
+  return value >= 0 && value <= 1;
 }
 
 bool IsOneOf(const std::vector<std::string_view>& names, std::string_view name) {
@@ -52,23 +53,23 @@ auto ParamReader::ReadEach(std::string_view name, bool is_required, const Read& 
   return value;
 }
 
-/// Fills `values` when the parameter is exactly so many numbers; reports what else it is.
-bool ParamReader::ReadNumbers(const Param& param, const char* expected, std::span<float> values) {
+/// Fills `values` when the parameter is exactly so many legal numbers; reports what else it is.
+bool ParamReader::ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values) {
   for (size_t i = 0; i < param.words.size(); ++i) {
     const ParamWord& word = param.words[i];
     const auto value = ParseFloat(word.text);
-    if (!value) {
-      Error(word.where, WrongWord(param.name, expected, word.text, IsTooLarge(word.text)));
+    if (!value || !rule.is_legal(*value)) {
+      Error(word.where, WrongWord(param.name, rule.expected, word.text, IsTooLarge(word.text)));
       return false;
     }
     if (i == values.size()) {
-      Error(word.where, WrongCount(param.name, expected, param.words.size()));
+      Error(word.where, WrongCount(param.name, rule.expected, param.words.size()));
       return false;
     }
     values[i] = *value;
   }
   if (param.words.size() == values.size()) return true;
-  shortages_.push_back({&param, expected});
+  shortages_.push_back({&param, rule.expected});
   return false;
 }
 
@@ -76,17 +77,16 @@ std::optional<float> ParamReader::OneNumber(std::string_view name, bool is_requi
                                             const NumberRule& rule) {
   return ReadEach(name, is_required, [&](const Param& param) -> std::optional<float> {
     std::array<float, 1> value;
-    if (!ReadNumbers(param, rule.expected, value)) return std::nullopt;
-    if (rule.is_legal(value[0])) return value[0];
-    Error(param.words[0].where, WrongWord(name, rule.expected, param.words[0].text));
-    return std::nullopt;
+    if (!ReadNumbers(param, rule, value)) return std::nullopt;
+    return value[0];
   });
 }
 
-std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_required) {
+std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_required,
+                                              const NumberRule& rule) {
   return ReadEach(name, is_required, [&](const Param& param) -> std::optional<Vec3> {
     std::array<float, 3> v;
-    if (!ReadNumbers(param, kThreeNumbers, v)) return std::nullopt;
+    if (!ReadNumbers(param, rule, v)) return std::nullopt;
     return Vec3{v[0], v[1], v[2]};
   });
 }
@@ -115,8 +115,8 @@ std::optional<std::string> ParamReader::OneWord(const Param& param) {
   if (param.words.size() == 1) return param.words[0].text;
   Error(param.words.empty() ? param.where : param.words[1].where,
         param.words.empty() ? fmt::format("'{}' expects a word, found nothing", param.name)
-                            : fmt::format("'{}' expects one word, found {} behind it", param.name,
-                                          Quote(param.words[1].text)));
+                            : fmt::format("'{}' expects one word, found {} behind {}", param.name,
+                                          Quote(param.words[1].text), Quote(param.words[0].text)));
   return std::nullopt;
 }
 
@@ -142,19 +142,19 @@ float ParamReader::NonNegative(std::string_view name, float default_value) {
 }
 
 float ParamReader::RequiredAngle(std::string_view name) {
-  return OneNumber(name, true, {"an angle between 0 and 180 degrees", IsAngle}).value_or(90.0f);
+  return OneNumber(name, true, {"an angle above 0 and below 180 degrees", IsAngle}).value_or(90.0f);
 }
 
 Vec3 ParamReader::Vector(std::string_view name, Vec3 default_value) {
-  return ThreeNumbers(name, false).value_or(default_value);
+  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
 }
 
 Vec3 ParamReader::RequiredVector(std::string_view name) {
-  return ThreeNumbers(name, true).value_or(Vec3());
+  return ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3());
 }
 
 Vec3 ParamReader::RequiredDirection(std::string_view name) {
-  const Vec3 value = ThreeNumbers(name, true).value_or(Vec3{0, 0, 1});
+  const Vec3 value = ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3{0, 0, 1});
   if (value != Vec3()) return value;
   Error(Where(name),
         fmt::format("'{}' expects a direction: three numbers, not all of them 0", name));
@@ -162,7 +162,17 @@ Vec3 ParamReader::RequiredDirection(std::string_view name) {
 }
 
 Rgb ParamReader::Color(std::string_view name, Rgb default_value) {
-  return ThreeNumbers(name, false).value_or(default_value);
+  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
+}
+
+Rgb ParamReader::NonNegativeColor(std::string_view name, Rgb default_value) {
+  const NumberRule rule{"three numbers that are not negative", IsNonNegative};
+  return ThreeNumbers(name, false, rule).value_or(default_value);
+}
+
+Rgb ParamReader::Albedo(std::string_view name, Rgb default_value) {
+  const NumberRule rule{"three numbers from 0 to 1", IsFraction};
+  return ThreeNumbers(name, false, rule).value_or(default_value);
 }
 
 std::string ParamReader::Word(std::string_view name) {
@@ -195,10 +205,12 @@ void ParamReader::Finish() {
       if (!IsOneOf(known_, params[i].name)) ReportUnused(params[i]);
       continue;
     }
-    // A word between numbers reads like the name of the next parameter; one that nobody knows is
-    // what stands in the place of a number.
     const auto [param, expected] = *shortage++;
-    if (i + 1 < params.size() && !IsOneOf(known_, params[i + 1].name) && !param->words.empty()) {
+    const bool is_last = i + 1 == params.size();
+    if (is_last && params_.is_damaged) continue;  // The rest of it may be what could not be read.
+    // A word between numbers reads like the name of a further parameter; one that resembles no
+    // such name is what stands in the place of a number.
+    if (!is_last && !param->words.empty() && !Nearest(params[i + 1].name, known_)) {
       ++i;
       Error(params[i].where, WrongWord(param->name, expected, params[i].name));
     } else {
@@ -221,13 +233,16 @@ void ParamReader::ReportUnused(const Param& param) {
 
 void ParamReader::ReportMissing() {
   if (params_.is_damaged) return;
+  std::vector<std::string_view> needed;
   for (const std::string_view name : missing_) {
     // Where the value before it is missing, a name was taken for that value.
     const bool is_a_value = std::any_of(
         params_.params.begin(), params_.params.end(),
         [&](const Param& param) { return !param.words.empty() && param.words[0].text == name; });
-    if (!is_a_value) Error(where_, fmt::format("{} needs '{}'", Quote(object_), name));
+    if (!is_a_value) needed.push_back(name);
   }
+  if (needed.empty()) return;
+  Error(where_, fmt::format("{} needs {}", Quote(object_), ListOf(needed, "and")));
 }
 
 std::string WrongWord(std::string_view name, std::string_view expected, std::string_view found,

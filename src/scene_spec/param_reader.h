@@ -43,6 +43,10 @@ class ParamReader {
   /// Three numbers of which at least one is not 0.
   Vec3 RequiredDirection(std::string_view name);
   Rgb Color(std::string_view name, Rgb default_value);
+  /// Each number at least 0.
+  Rgb NonNegativeColor(std::string_view name, Rgb default_value);
+  /// Each number from 0 to 1.
+  Rgb Albedo(std::string_view name, Rgb default_value);
 
   /// One word or path, as written; empty when it is missing or wrong.
   std::string Word(std::string_view name);
@@ -59,8 +63,8 @@ class ParamReader {
 
  private:
   struct NumberRule {
-    const char* expected;
-    bool (*is_legal)(float);
+    const char* expected;     ///< For messages.
+    bool (*is_legal)(float);  ///< For each number.
   };
   /// A parameter with fewer values than it needs.
   struct Shortage {
@@ -72,8 +76,8 @@ class ParamReader {
   template <class Read>
   auto ReadEach(std::string_view name, bool is_required, const Read& read);
   std::optional<float> OneNumber(std::string_view name, bool is_required, const NumberRule& rule);
-  std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required);
-  bool ReadNumbers(const Param& param, const char* expected, std::span<float> values);
+  std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required, const NumberRule& rule);
+  bool ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values);
   std::optional<std::string> OneWord(const Param& param);
   void ReportUnused(const Param& param);
   void ReportMissing();

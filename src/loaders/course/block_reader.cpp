@@ -77,7 +77,10 @@ Token BlockReader::NextItem(const Token* opener, std::span<const std::string_vie
       return token;
     }
     if (has_block) tokens_.Next();
-    if (has_block || token.IsOpenBrace()) SkipBlock();
+    if (has_block || token.IsOpenBrace()) {
+      SkipBlock();
+      has_skipped_section_ = has_skipped_section_ || !opener;
+    }
   }
 }
 

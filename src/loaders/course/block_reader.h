@@ -37,9 +37,9 @@ class BlockReader {
   /// is a run of numbers, or a word with such a run behind it.
   ParamSet ReadParams(const Token& opener, Repeats repeats = Repeats::kOdd);
 
-  /// True once the file has ended inside a block, which was reported: what is missing then may have
-  /// stood in the lost part.
-  bool IsCutShort() const { return is_cut_short_; }
+  /// True once the file has ended inside a block or a section could not be read, which was
+  /// reported: a section that is missing is then no mistake of its own.
+  bool HasLostSections() const { return is_cut_short_ || has_skipped_section_; }
 
  private:
   void EndsWithoutBrace(const Token& opener);
@@ -50,6 +50,7 @@ class BlockReader {
   Tokenizer& tokens_;
   Diagnostics& diagnostics_;
   bool is_cut_short_ = false;
+  bool has_skipped_section_ = false;
 };
 
 }  // namespace candela

@@ -11,11 +11,11 @@ namespace candela {
 namespace fs = std::filesystem;
 namespace {
 
-/// The file itself behind links and detours; the path as it is when it cannot be followed.
-fs::path FileOf(const fs::path& path) {
+/// The place of the file behind links and detours; the path as it is when it cannot be followed.
+fs::path PlaceOf(const fs::path& path) {
   std::error_code error;
-  const fs::path file = fs::weakly_canonical(path, error);
-  return error ? path : file;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+  return error ? path : place;
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void LoadMeshes(SceneSpec* spec, Diagnostics* diagnostics) {
     if (!is_new_name) continue;
 
     const fs::path path = spec->folder / name.text;
-    const auto [loaded, is_new_file] = by_file.try_emplace(FileOf(path));
+    const auto [loaded, is_new_file] = by_file.try_emplace(PlaceOf(path));
     if (is_new_file) {
       loaded->second = LoadObj(path, name.where, diagnostics);
       spec->files.push_back(path);

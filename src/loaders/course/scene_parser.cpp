@@ -44,7 +44,7 @@ class Parser {
     CheckMaterialNames();
     ReadCamera();
     ReadBackground();
-    if (scene_.nodes.empty() && !blocks_.IsCutShort()) {
+    if (scene_.nodes.empty() && !blocks_.HasLostSections()) {
       diagnostics_.Error(scene_.file, "there is no 'Scene' block");
     }
     LoadMeshes(&scene_, &diagnostics_);
@@ -126,7 +126,7 @@ class Parser {
 
   void ReadCamera() {
     if (!camera_.is_given) {
-      if (!blocks_.IsCutShort()) diagnostics_.Error(scene_.file, "there is no 'Camera' block");
+      if (!blocks_.HasLostSections()) diagnostics_.Error(scene_.file, "there is no 'Camera' block");
       return;
     }
     const size_t errors_before = diagnostics_.ErrorCount();

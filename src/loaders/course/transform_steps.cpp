@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "base/number.h"
@@ -26,6 +27,13 @@ constexpr Step kSteps[] = {
     {"z_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(2, v.x); }},
 };
 
+constexpr auto kNames = [] {
+  std::array<std::string_view, std::size(kSteps)> names;
+  std::transform(std::begin(kSteps), std::end(kSteps), names.begin(),
+                 [](const Step& step) { return step.name; });
+  return names;
+}();
+
 const Step* FindStep(std::string_view name) {
   const Step* found = std::find_if(std::begin(kSteps), std::end(kSteps),
                                    [&](const Step& step) { return step.name == name; });
@@ -34,11 +42,8 @@ const Step* FindStep(std::string_view name) {
 
 void ReportUnknown(const Param& param, Diagnostics* diagnostics) {
   diagnostics->Error(param.where, [&] {
-    std::string_view names[std::size(kSteps)];
-    std::transform(std::begin(kSteps), std::end(kSteps), names,
-                   [](const Step& step) { return step.name; });
-    return fmt::format("{} is due, found {}{}", ListOf(names), Quote(param.name),
-                       DidYouMean(param.name, names));
+    return fmt::format("{} is due, found {}{}", ListOf(kNames), Quote(param.name),
+                       DidYouMean(param.name, kNames));
   });
 }
 
@@ -71,7 +76,9 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
     } else if (count == step->count) {
       // Each further step acts on the object before the ones written so far.
       product = product * step->matrix(numbers);
-    } else if (count > 0 && i + 1 < params.size() && !FindStep(params[i + 1].name)) {
+    } else if (i + 1 == params.size() && steps.is_damaged) {
+      // The rest of it may be what could not be read.
+    } else if (count > 0 && i + 1 < params.size() && !Nearest(params[i + 1].name, kNames)) {
       // A word between numbers was read as the name of a step.
       ++i;
       diagnostics->Error(params[i].where, WrongWord(step->name, expected, params[i].name));

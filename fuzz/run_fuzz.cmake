@@ -11,6 +11,6 @@ if(MAX_LENGTH)
 endif()
 execute_process(
   COMMAND ${PROGRAM} -runs=${RUNS} -seed=1 ${length} -timeout=10 -rss_limit_mb=2048
-          -malloc_limit_mb=1024 -verbosity=1 -print_final_stats=1 -reload=0
+          -malloc_limit_mb=1024 -print_final_stats=1 -reload=0
           -artifact_prefix=${WORK}/crashes/ ${WORK}/found ${CORPUS}
   COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)

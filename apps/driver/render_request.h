@@ -22,6 +22,7 @@ struct DepthOutput {
 
 /// Everything that a command line asks of one render. Paths are as the user wrote them.
 struct RenderRequest {
+  std::string program;  ///< Its name, for messages.
   std::filesystem::path scene;
   std::optional<std::filesystem::path> output, normals;
   std::optional<DepthOutput> depth;

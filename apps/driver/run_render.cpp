@@ -1,36 +1,40 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/clock.h"
-#include "base/diagnostics.h"
 #include "base/files.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/text.h"
+#include "driver/console.h"
+#include "driver/load_scene.h"
 #include "driver/map_images.h"
+#include "driver/picture_files.h"
+#include "driver/progress_reporter.h"
+#include "driver/render_report.h"
 #include "driver/render_request.h"
 #include "image/image_file.h"
-#include "loaders/course/scene_parser.h"
 #include "render/render_first_hits.h"
 #include "render/render_job.h"
 #include "render/sample_placer.h"
-#include "render/tiles.h"
 #include "scene/compile_scene.h"
 
 namespace candela {
 namespace {
 
-void PrintError(const std::string& text) {
-  fmt::print(stderr, "error: {}\n", text);
-}
-
-int ExitCode(const Error& error) {
-  return static_cast<int>(error.code);
+/// Adds the time that a step takes to the seconds of its phase.
+template <class Step>
+auto Timed(double* seconds, Step step) {
+  const Stopwatch clock;
+  auto result = step();
+  *seconds += clock.Seconds();
+  return result;
 }
 
 /// One run of a program that renders. Each step returns an error that ends it.
@@ -38,28 +42,23 @@ class RenderRun {
  public:
   explicit RenderRun(const RenderRequest& request) : request_(request) {}
 
-  int Run() {
-    const Result<void> done = Steps();
-    if (done) return 0;
-    if (!done.error().message.empty()) PrintError(done.error().message);
-    return ExitCode(done.error());
-  }
-
- private:
-  Result<void> Steps() {
+  Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
     if (auto fits = CheckMemory(); !fits) return fits;
-    auto integrator = CreateIntegrator(request_.integrator, *scene_, request_.integrator_options);
+    auto integrator =
+        CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
     if (request_.explain) return Explain(**integrator);
     if (request_.output) {
       if (auto written = RenderImage(**integrator); !written) return written;
     }
-    return WriteMaps();
+    if (auto written = WriteMaps(); !written) return written;
+    return Report();
   }
 
-  std::vector<std::filesystem::path> OutputPaths() const {
+ private:
+  std::vector<std::filesystem::path> Pictures() const {
     std::vector<std::filesystem::path> paths;
     if (request_.output) paths.push_back(*request_.output);
     if (request_.normals) paths.push_back(*request_.normals);
@@ -67,57 +66,70 @@ class RenderRun {
     return paths;
   }
 
-  Result<void> CheckOutputs() {
-    for (const auto& path : OutputPaths()) {
-      if (!FormatOf(path)) {
-        return Error{
-            ErrorCode::kUsage,
-            fmt::format("'{}': the name has to end in .png, .exr, .hdr or .pfm", path.string())};
-      }
-      if (auto writable = CheckWritable(path); !writable) {
-        return Error{ErrorCode::kOutput,
-                     fmt::format("'{}': {}", path.string(), writable.error().message)};
+  std::vector<std::filesystem::path> Outputs() const {
+    std::vector<std::filesystem::path> paths = Pictures();
+    if (request_.stats_json) paths.push_back(*request_.stats_json);
+    return paths;
+  }
+
+  Result<void> CheckOutputs() const {
+    for (const auto& path : Pictures()) {
+      if (auto checked = CheckPictureOutput(path); !checked) return checked;
+    }
+    return request_.stats_json ? CheckOutput(*request_.stats_json) : Result<void>();
+  }
+
+  Result<void> LoadScene() {
+    loaded_ = LoadSceneForUser(request_.scene);
+    // What is wrong has been printed, line by line.
+    if (!loaded_) return Error{ErrorCode::kInput, {}};
+    statistics_.seconds.load = loaded_->load_seconds;
+    statistics_.seconds.build = loaded_->build_seconds;
+    for (const auto& input : InputFiles(loaded_->spec)) {
+      for (const auto& output : Outputs()) {
+        if (!IsSameFile(input, output)) continue;
+        return Error{ErrorCode::kUsage,
+                     fmt::format("{} is a part of the scene, which would be overwritten",
+                                 Quote(output.string()))};
       }
     }
     return {};
   }
 
-  Result<void> LoadScene() {
-    Diagnostics diagnostics;
-    const SceneSpec spec = candela::LoadScene(request_.scene, &diagnostics);
-    if (!diagnostics.HasErrors()) scene_ = CompileScene(spec, &diagnostics);
-    for (const std::string& line : diagnostics.Lines()) fmt::print(stderr, "{}\n", line);
-    if (!scene_) return Error{ErrorCode::kInput, {}};
-    return {};
-  }
-
-  Result<void> CheckMemory() {
+  Result<void> CheckMemory() const {
     const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth);
     const uint64_t available = AvailableMemory();
     if (need <= available) return {};
+    const double gibibyte = 1 << 30;
     return Error{
         ErrorCode::kResources,
-        fmt::format(
-            "a picture of {} x {} pixels needs about {:.1f} GiB of memory, {:.1f} GiB are free",
-            request_.render.crop.Width(), request_.render.crop.Height(),
-            static_cast<double>(need) / (1 << 30), static_cast<double>(available) / (1 << 30))};
+        fmt::format("a picture of {} x {} pixels needs about {:.1f} GiB of memory, {:.1f} GiB are "
+                    "free",
+                    request_.render.crop.Width(), request_.render.crop.Height(),
+                    static_cast<double>(need) / gibibyte,
+                    static_cast<double>(available) / gibibyte)};
   }
 
-  Result<void> Explain(const Integrator& integrator) {
+  Result<void> Explain(const Integrator& integrator) const {
     const auto lines = integrator.Explain(
         SamplePlacer(request_.render).Centre(request_.explain->x, request_.explain->y));
     if (lines.empty()) {
       return Error{ErrorCode::kUsage,
                    fmt::format("the integrator '{}' cannot explain a pixel", request_.integrator)};
     }
-    for (const std::string& line : lines) fmt::print("{}\n", line);
-    return {};
+    return WriteResult(fmt::format("{}\n", fmt::join(lines, "\n")));
   }
 
   Result<void> RenderImage(const Integrator& integrator) {
     RenderJob job(integrator, request_.render);
     const CancelToken never;
-    if (auto done = job.Run(never); !done) return done;
+    const auto done = Timed(&statistics_.seconds.render, [&] {
+      const ProgressReporter progress(job, request_.quiet);
+      return job.Run(never);
+    });
+    if (!done) return done;
+    statistics_.rays += job.Rays();
+    statistics_.dropped_samples = job.film().DroppedSamples();
     return Write(*request_.output, ToImage(job.film()));
   }
 
@@ -133,7 +145,9 @@ class RenderRun {
   Result<void> WriteMaps() {
     if (!request_.normals && !request_.depth) return {};
     const PixelWindow& crop = request_.render.crop;
-    const std::vector<FirstHit> hits = RenderFirstHits(*scene_, request_.render);
+    const auto hits = Timed(&statistics_.seconds.render,
+                            [&] { return RenderFirstHits(*loaded_->scene, request_.render); });
+    statistics_.rays.camera += hits.size();
     if (request_.normals) {
       const Image image = NormalImage(hits, crop, *FormatOf(*request_.normals));
       if (auto written = Write(*request_.normals, image); !written) return written;
@@ -148,23 +162,49 @@ class RenderRun {
   Result<void> Write(const std::filesystem::path& path, const Image& image) {
     EncodeOptions options;
     options.png_bits = request_.output_options.png_bits;
-    const Result<std::string> bytes = EncodeImage(image, *FormatOf(path), options);
+    const Result<std::string> bytes = Timed(
+        &statistics_.seconds.encode, [&] { return EncodeImage(image, *FormatOf(path), options); });
     if (!bytes) return bytes.error();
-    auto written = WriteFileAtomically(path, std::as_bytes(std::span(*bytes)));
-    if (written) return written;
-    return Error{ErrorCode::kOutput,
-                 fmt::format("'{}': {}", path.string(), written.error().message)};
+    return Timed(&statistics_.seconds.write, [&] { return WriteOutput(path, *bytes); });
+  }
+
+  Result<void> Report() {
+    if (!request_.print_stats && !request_.stats_json) return {};
+    statistics_.scene = request_.scene.string();
+    statistics_.integrator = request_.integrator;
+    statistics_.width = request_.render.crop.Width();
+    statistics_.height = request_.render.crop.Height();
+    statistics_.samples_per_pixel = request_.render.samples;
+    statistics_.threads = ThreadCount();
+    statistics_.scene_bytes = loaded_->scene->MemoryBytes();
+    statistics_.peak_bytes = PeakMemory();
+    if (request_.print_stats) fmt::print(stderr, "{}", StatisticsToText(statistics_));
+    if (!request_.stats_json) return {};
+    return WriteOutput(*request_.stats_json, StatisticsToJson(statistics_));
   }
 
   const RenderRequest& request_;
-  std::unique_ptr<Scene> scene_;
+  std::optional<LoadedScene> loaded_;
+  RenderStatistics statistics_;
 };
+
+Result<void> RunGuarded(const RenderRequest& request) {
+  try {
+    const ThreadLimit threads(request.threads);
+    return RenderRun(request).Run();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kResources, "the memory is not sufficient"};
+  }
+}
 
 }  // namespace
 
 int RunRender(const RenderRequest& request) {
-  const ThreadLimit threads(request.threads);
-  return RenderRun(request).Run();
+  const Result<void> done = RunGuarded(request);
+  if (done) return 0;
+  // Without a message everything has been said.
+  if (done.error().message.empty()) return static_cast<int>(done.error().code);
+  return PrintError(request.program, done.error());
 }
 
 }  // namespace candela

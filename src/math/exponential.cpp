@@ -141,7 +141,8 @@ DoubleDouble LogOfMantissa(const LogArgument& a) {
   return *a.log_centre + FastTwoSum(2 * s.hi, 2 * s.lo + 2 * s.hi * s2 * AtanhTail(s2));
 }
 
-/// Binary logarithm in double precision, off by about 2e-16 of its value or of ln(2); for float results.
+/// Binary logarithm in double precision, off by about 2e-16 of its value or of ln(2); for float
+/// results.
 double FastLog2(double x) {
   const LogArgument a(x);
   const double s = (a.mantissa - a.centre) / (a.mantissa + a.centre);

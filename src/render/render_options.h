@@ -16,6 +16,10 @@ enum class SamplePattern {
   kFilter,      ///< Any number, drawn from a pixel filter.
 };
 
+/// The samples of each pixel that the patterns of strata have.
+constexpr uint32_t kStrataPerSide = 4;
+constexpr uint32_t kStrataSamples = kStrataPerSide * kStrataPerSide;
+
 /// What a picture is made of, apart from the scene and the integrator.
 struct RenderOptions {
   int width = 800, height = 800;
@@ -25,7 +29,7 @@ struct RenderOptions {
 
   SamplePattern pattern = SamplePattern::kCentre;
   std::string filter = "box";  ///< For `kFilter`: a name of `PixelFilters()`.
-  uint32_t samples = 1;        ///< Per pixel; 16 for the patterns of strata.
+  uint32_t samples = 1;        ///< Per pixel; `kStrataSamples` for strata.
   uint32_t seed = 0;
   uint32_t tile_size =
       32;  ///< Side of the blocks that threads take; changes nothing in the picture.

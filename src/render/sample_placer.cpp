@@ -8,8 +8,6 @@
 namespace candela {
 namespace {
 
-constexpr uint32_t kStrataPerSide = 4;
-
 /// Height of the tent of radius 1 along one axis.
 float Tent(float offset) {
   return 1 - std::abs(offset);

@@ -101,7 +101,7 @@ class SceneCompiler {
       return;
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
-                                Transform(*object_from_world), *material, light,
+                                Transform(*object_from_world), *material, light, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
   }
 
@@ -179,7 +179,7 @@ class SceneCompiler {
 std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
   std::vector<std::filesystem::path> files = spec.files;
   if (!spec.background.cube_map.empty()) {
-    const auto faces = CubeMap::FilesIn(spec.folder / spec.background.cube_map);
+    const auto faces = CubeMap::FaceFiles(spec.folder / spec.background.cube_map);
     files.insert(files.end(), faces.begin(), faces.end());
   }
   return files;

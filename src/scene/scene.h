@@ -26,6 +26,7 @@ struct SceneObject {
   Transform world_from_object, object_from_world;
   uint32_t material = 0;
   uint32_t light = kNoLight;  ///< The area light whose surface this is.
+  std::string type;           ///< As in the registry of shapes.
   std::string description;    ///< For people: type and line in the scene file.
 };
 

@@ -54,6 +54,12 @@ Rgb Blend(const Raster<T>& face, float u, float v) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> CubeMap::FaceFiles(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> paths;
+  for (const char* name : kFileNames) paths.push_back(folder / name);
+  return paths;
+}
+
 std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
                                      const SourceLocation& asked, Diagnostics* diagnostics) {
   std::error_code error;
@@ -62,10 +68,11 @@ std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
     return std::nullopt;
   }
   CubeMap map;
+  const std::vector<std::filesystem::path> paths = FaceFiles(folder);
   std::array<Diagnostics, kFaces> found;  // One for each task, so that the order stays fixed.
   ParallelFor(kFaces, [&](int64_t i) {
     const auto face = static_cast<size_t>(i);
-    const std::filesystem::path path = folder / kFileNames[face];
+    const std::filesystem::path& path = paths[face];
     const Result<std::string> bytes = ReadFile(path);
     if (!bytes) {
       found[face].Error(
@@ -90,12 +97,6 @@ std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
   }
   if (!is_complete) return std::nullopt;
   return map;
-}
-
-std::vector<std::filesystem::path> CubeMap::FilesIn(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const char* name : kFileNames) files.push_back(folder / name);
-  return files;
 }
 
 Rgb CubeMap::Lookup(Vec3 d) const {

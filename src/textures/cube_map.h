@@ -26,7 +26,7 @@ class CubeMap {
                                      const SourceLocation& asked, Diagnostics* diagnostics);
 
   /// The files that `Load` reads.
-  static std::vector<std::filesystem::path> FilesIn(const std::filesystem::path& folder);
+  static std::vector<std::filesystem::path> FaceFiles(const std::filesystem::path& folder);
 
   /// The colour in a direction of any length but 0, from 0 to 1.
   Rgb Lookup(Vec3 direction) const;

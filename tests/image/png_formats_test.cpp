@@ -196,13 +196,28 @@ TEST(PngFilters, UnfilterRevertsFilter) {
   }
 }
 
-// Left 10, above 20, above left 12: the estimate 18 is nearest to 20.
+/// The predictor in the words of the standard.
+int PaethByTheStandard(int a, int b, int c) {
+  const int p = a + b - c;
+  const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
+  if (pa <= pb && pa <= pc) return a;
+  return pb <= pc ? b : c;
+}
+
+// A second pixel of difference 0 is the prediction itself; the first one, whose left neighbours
+// count as 0, is predicted by the one above it.
 TEST(PngFilters, PaethPredictsTheNearestNeighbour) {
-  const uint8_t prior[] = {12, 20};
-  uint8_t row[] = {static_cast<uint8_t>(10 - 12), 5};
-  UnfilterRow(PngFilter::kPaeth, 1, row, prior, 2);
-  EXPECT_EQ(row[0], 10);
-  EXPECT_EQ(row[1], 25);
+  for (int left = 0; left < 256; ++left) {
+    for (int above = 0; above < 256; ++above) {
+      for (int corner = 0; corner < 256; corner += 3) {
+        const uint8_t prior[] = {static_cast<uint8_t>(corner), static_cast<uint8_t>(above)};
+        uint8_t row[] = {static_cast<uint8_t>(left - corner), 0};
+        UnfilterRow(PngFilter::kPaeth, 1, row, prior, 2);
+        ASSERT_EQ(row[1], PaethByTheStandard(left, above, corner))
+            << left << " " << above << " " << corner;
+      }
+    }
+  }
 }
 
 }  // namespace

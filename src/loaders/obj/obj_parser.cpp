@@ -135,6 +135,8 @@ void ObjParser::ParseFace(const FaceLine& face, LineTokenizer* words) {
   if (!is_sound) return;
   if (corners_.size() < 3) {
     Error(face.keyword, fmt::format("'f' needs at least three corners, found {}", corners_.size()));
+  } else if (corners_.size() > kLongestList) {
+    Error(face.keyword, fmt::format("more than {} corners", kLongestList));
   } else if (is_early_) {
     early_faces_.push_back(face);
   } else {

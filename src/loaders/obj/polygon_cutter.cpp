@@ -15,10 +15,6 @@ bool TurnsBack(Vec2 a, Vec2 b, Vec2 c) {
   return Orient(a, b, c) == 0 && forward <= 0;
 }
 
-bool IsBefore(Vec2 a, Vec2 b) {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
 }  // namespace
 
 std::span<const PolygonCutter::Triangle> PolygonCutter::Cut(std::span<const Vec3> corners) {
@@ -59,19 +55,16 @@ bool PolygonCutter::Project(std::span<const Vec3> corners) {
   return true;
 }
 
-/// True for convex polygons whose fan from the first corner has no triangle without area, as
-/// collinear corners beside the first one would give.
+/// True for convex polygons, unless collinear corners beside the first one would give its fan a
+/// triangle without area.
 bool PolygonCutter::IsFan() const {
-  // Turning left everywhere is not enough (a star drawn in one stroke does): a convex polygon also
-  // goes to the right once and to the left once.
-  int reversals = 0;
   for (uint32_t b = 0; b < points_.size(); ++b) {
-    const Vec2 before = points_[previous_[b]], here = points_[b], after = points_[next_[b]];
-    if (Orient(before, here, after) < 0 || TurnsBack(before, here, after)) return false;
-    if (b != 0 && next_[b] != 0 && Orient(points_[0], here, after) <= 0) return false;
-    if (IsBefore(before, here) != IsBefore(here, after)) ++reversals;
+    const uint32_t a = previous_[b], c = next_[b];
+    if (Orient(points_[a], points_[b], points_[c]) < 0) return false;
+    const bool is_in_fan = b != 0 && c != 0;
+    if (is_in_fan && Orient(points_[0], points_[b], points_[c]) <= 0) return false;
   }
-  return reversals == 2;
+  return true;
 }
 
 void PolygonCutter::ClipEars() {

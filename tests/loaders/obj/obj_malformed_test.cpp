@@ -200,7 +200,7 @@ TEST(ObjMalformed, HostileTextsTakeLinearTime) {
         "f " + repeat("1 ", kMany)}) {
     const Stopwatch watch;
     Lines(text);
-    EXPECT_LT(watch.Seconds(), 20) << text.substr(0, 30);
+    EXPECT_LT(watch.Seconds(), 60) << text.substr(0, 30);
   }
 }
 

@@ -1,0 +1,85 @@
+// candela info: what a scene holds.
+
+#include <fmt/format.h>
+
+#include "base/result.h"
+#include "candela/commands.h"
+#include "candela/scene_facts.h"
+#include "driver/arg_parser.h"
+#include "driver/console.h"
+#include "driver/find_scene.h"
+#include "driver/load_scene.h"
+
+namespace candela {
+namespace {
+
+constexpr const char* kSummary =
+    "Shows what a scene holds: objects, triangles, lights, materials, meshes, the memory that it "
+    "takes when it is rendered, its bounds and its camera.";
+
+std::string Row(std::string_view name, std::string_view value) {
+  return fmt::format("{:<12}{}\n", name, value);
+}
+
+std::string ToText(Vec3 v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
+
+/// "7 (4 mesh, 3 sphere)".
+std::string WithTypes(uint64_t count, const std::map<std::string, uint64_t>& by_type) {
+  std::string text = fmt::format("{}", count);
+  std::string_view separator = " (";
+  for (const auto& [type, number] : by_type) {
+    text += fmt::format("{}{} {}", separator, number, type);
+    separator = ", ";
+  }
+  return by_type.empty() ? text : text + ")";
+}
+
+std::string BoundsRow(const Bounds3& bounds) {
+  if (bounds.IsEmpty()) return Row("bounds", "none: every object is unbounded");
+  return Row("bounds", fmt::format("{} to {}", ToText(bounds.min), ToText(bounds.max)));
+}
+
+std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) {
+  const SceneFacts facts(loaded);
+  const CameraSpec& camera = loaded.spec.camera;
+  const BackgroundSpec& background = loaded.spec.background;
+  std::string text = Row("scene", path.string());
+  text += Row("objects", WithTypes(facts.objects, facts.objects_by_type));
+  text += Row("triangles", fmt::format("{}", facts.triangles));
+  for (const auto& [name, mesh] : loaded.spec.meshes) {
+    text += Row("mesh", fmt::format("{}: {}, {}", name, Count(mesh->triangles.size(), "triangle"),
+                                    Count(mesh->positions.size(), "position")));
+  }
+  text += Row("lights", WithTypes(facts.lights, facts.lights_by_type));
+  text += Row("materials", fmt::format("{}", facts.materials));
+  text += Row("background", background.cube_map.empty() ? ToText(background.color)
+                                                        : "cube map " + background.cube_map);
+  text += Row("ambient", ToText(background.ambient_light));
+  text += BoundsRow(loaded.scene->Bounds());
+  text +=
+      Row("camera", fmt::format("at {}, direction {}, up {}, {:.6g} degrees", ToText(camera.center),
+                                ToText(camera.direction), ToText(camera.up), camera.fov_degrees));
+  text += Row("memory", fmt::format("{:.1f} MiB, without pictures",
+                                    static_cast<double>(loaded.scene->MemoryBytes()) / (1 << 20)));
+  return text;
+}
+
+}  // namespace
+
+int RunInfoCommand(Words words) {
+  std::filesystem::path name;
+  ArgParser parser("candela info", kSummary, ArgStyle::kGnu);
+  parser.Positional(File("SCENE", &name), "scene to read");
+  parser.Example("scene06_bunny_1k.txt", "a scene that ships with Candela");
+  if (const auto status = ReadCommandLine(parser, words)) return *status;
+
+  const auto path = FindScene(name, SceneFolders());
+  if (!path) return PrintError(parser.program(), path.error());
+  const auto loaded = LoadSceneForUser(*path);
+  if (!loaded) return static_cast<int>(ErrorCode::kInput);
+  return PrintResult(parser.program(), Facts(*path, *loaded));
+}
+
+}  // namespace candela

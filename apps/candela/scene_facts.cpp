@@ -1,0 +1,26 @@
+#include "candela/scene_facts.h"
+
+#include <fmt/format.h>
+
+namespace candela {
+
+SceneFacts::SceneFacts(const LoadedScene& loaded) : materials(loaded.spec.materials.size()) {
+  for (const SceneObject& object : loaded.scene->objects()) {
+    ++objects;
+    ++objects_by_type[object.type];
+    if (object.type == "mesh" || object.type == "triangle") {
+      triangles += object.shape->PrimitiveCount();
+    }
+  }
+  for (const NodeSpec& node : loaded.spec.nodes) {
+    if (!node.light) continue;
+    ++lights;
+    ++lights_by_type[node.light->type];
+  }
+}
+
+std::string Count(uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace candela

@@ -1,0 +1,78 @@
+#include "driver/arg_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace candela {
+namespace {
+
+template <class Target>
+ArgValue FileInto(std::string label, Target* target) {
+  return {std::move(label), "the name of a file", [=](std::string_view text) {
+            if (text.empty()) return false;
+            *target = std::filesystem::path(text);
+            return true;
+          }};
+}
+
+template <class Target>
+ArgValue ChoiceInto(std::string label, Target* target, std::vector<std::string_view> choices) {
+  const auto store = [target, choices](std::string_view text) {
+    if (std::find(choices.begin(), choices.end(), text) == choices.end()) return false;
+    *target = std::string(text);
+    return true;
+  };
+  return {std::move(label), ListOf(choices), store, choices};
+}
+
+}  // namespace
+
+std::string DescribeRange(int64_t least, int64_t most) {
+  return fmt::format("a whole number from {} to {}", least, most);
+}
+
+ArgValue Real(std::string label, float* target) {
+  return {std::move(label), "a number", [=](std::string_view text) {
+            const auto value = ParseFloat(text);
+            if (value) *target = *value;
+            return value.has_value();
+          }};
+}
+
+ArgValue NotNegative(std::string label, std::optional<double>* target) {
+  return {std::move(label), "a number of at least 0", [=](std::string_view text) {
+            const auto value = ParseDouble(text);
+            if (!value || *value < 0) return false;
+            *target = *value;
+            return true;
+          }};
+}
+
+ArgValue File(std::string label, std::filesystem::path* target) {
+  return FileInto(std::move(label), target);
+}
+
+ArgValue File(std::string label, std::optional<std::filesystem::path>* target) {
+  return FileInto(std::move(label), target);
+}
+
+ArgValue File(std::string label, std::vector<std::filesystem::path>* target) {
+  return {std::move(label), "the name of a file", [=](std::string_view text) {
+            if (!text.empty()) target->emplace_back(text);
+            return !text.empty();
+          }};
+}
+
+ArgValue Choice(std::string label, std::string* target, std::vector<std::string_view> choices) {
+  return ChoiceInto(std::move(label), target, std::move(choices));
+}
+
+ArgValue Choice(std::string label, std::optional<std::string>* target,
+                std::vector<std::string_view> choices) {
+  return ChoiceInto(std::move(label), target, std::move(choices));
+}
+
+}  // namespace candela

@@ -1,0 +1,73 @@
+#include "driver/render_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace candela {
+namespace {
+
+std::string Row(std::string_view name, double value, std::string_view unit) {
+  return fmt::format("  {:<12}{:>14.3f} {}\n", name, value, unit);
+}
+
+std::string Row(std::string_view name, uint64_t count) {
+  return fmt::format("  {:<12}{:>14}\n", name, count);
+}
+
+double Mebibytes(uint64_t bytes) {
+  return static_cast<double>(bytes) / (1 << 20);
+}
+
+}  // namespace
+
+std::string StatisticsToText(const RenderStatistics& statistics) {
+  const RenderStatistics::Phases& seconds = statistics.seconds;
+  const RayCounts& rays = statistics.rays;
+  std::string text = fmt::format(
+      "{}: {} x {} pixels, {} samples each, {}, {} threads\n", statistics.scene, statistics.width,
+      statistics.height, statistics.samples_per_pixel, statistics.integrator, statistics.threads);
+  text += "time\n" + Row("load", seconds.load, "s") + Row("build", seconds.build, "s") +
+          Row("render", seconds.render, "s") + Row("encode", seconds.encode, "s") +
+          Row("write", seconds.write, "s") + Row("total", seconds.Total(), "s");
+  text += "rays\n" + Row("camera", rays.camera) + Row("reflection", rays.reflection) +
+          Row("shadow", rays.shadow) + Row("total", rays.Total()) +
+          Row("rate", statistics.RaysPerSecond() / 1e6, "Mrays/s");
+  text += "memory\n" + Row("scene", Mebibytes(statistics.scene_bytes), "MiB") +
+          Row("peak", Mebibytes(statistics.peak_bytes), "MiB");
+  if (statistics.dropped_samples > 0) {
+    text += "samples\n" + Row("dropped", statistics.dropped_samples);
+  }
+  return text;
+}
+
+std::string StatisticsToJson(const RenderStatistics& statistics) {
+  const RenderStatistics::Phases& seconds = statistics.seconds;
+  const RayCounts& rays = statistics.rays;
+  const nlohmann::ordered_json json = {{"scene", statistics.scene},
+                                       {"integrator", statistics.integrator},
+                                       {"width", statistics.width},
+                                       {"height", statistics.height},
+                                       {"samples_per_pixel", statistics.samples_per_pixel},
+                                       {"threads", statistics.threads},
+                                       {"seconds",
+                                        {{"load", seconds.load},
+                                         {"build", seconds.build},
+                                         {"render", seconds.render},
+                                         {"encode", seconds.encode},
+                                         {"write", seconds.write},
+                                         {"total", seconds.Total()}}},
+                                       {"rays",
+                                        {{"camera", rays.camera},
+                                         {"reflection", rays.reflection},
+                                         {"shadow", rays.shadow},
+                                         {"total", rays.Total()}}},
+                                       {"rays_per_second", statistics.RaysPerSecond()},
+                                       {"dropped_samples", statistics.dropped_samples},
+                                       {"scene_bytes", statistics.scene_bytes},
+                                       {"peak_bytes", statistics.peak_bytes}};
+  // A scene's name may hold any bytes; JSON holds text.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace candela

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <span>
+#include <vector>
+
+#include "math/exact_sum.h"
+#include "math/spectrum.h"
+
+namespace candela {
+
+/// A rectangle of pixels of the whole picture; the origin is top left, the end is exclusive.
+struct PixelWindow {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  int Width() const { return x1 - x0; }
+  int Height() const { return y1 - y0; }
+  bool Contains(const PixelWindow& other) const {
+    return other.x0 >= x0 && other.y0 >= y0 && other.x1 <= x1 && other.y1 <= y1;
+  }
+  friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
+};
+
+/// Zeros straight from the system: a page costs nothing until it is first touched, which the
+/// workers do in parallel. For types whose zero bytes mean zero.
+template <class T>
+class ZeroedArray {
+ public:
+  ZeroedArray() = default;
+  explicit ZeroedArray(size_t count) : items_(static_cast<T*>(std::calloc(count, sizeof(T)))) {
+    if (items_ == nullptr) throw std::bad_alloc();
+  }
+  explicit operator bool() const { return items_ != nullptr; }
+  T& operator[](size_t i) { return items_.get()[i]; }
+  const T& operator[](size_t i) const { return items_.get()[i]; }
+
+ private:
+  struct Free {
+    void operator()(T* items) const { std::free(items); }
+  };
+  std::unique_ptr<T, Free> items_;
+};
+
+/// Everything a pixel has to remember to be continued: exact, so that no order of samples shows.
+struct PixelSums {
+  ExactSum red, green, blue, weight;
+
+  void Add(Rgb radiance, float sample_weight);
+  /// The weighted mean. Black while the weights sum to 0, which they do before the first sample.
+  Rgb Mean() const;
+
+  friend bool operator==(const PixelSums&, const PixelSums&) = default;
+};
+
+/// The sums of a small rectangle, owned by one thread and used for one tile after the other. It
+/// stays in the cache while a worker adds samples, and is what makes sums of a whole picture
+/// unnecessary.
+class FilmTile {
+ public:
+  /// Adds a sample of the pixel (x, y) of the whole picture, which must lie in the tile's window. A
+  /// radiance with a NaN, infinite or negative component is dropped, weight included, and counted.
+  void Add(int x, int y, Rgb radiance, float weight);
+
+  const PixelWindow& Window() const { return window_; }
+
+ private:
+  friend class Film;
+
+  PixelWindow window_;
+  std::vector<PixelSums> sums_;
+  uint64_t dropped_samples_ = 0;
+};
+
+/// The picture under construction: the developed colour of every pixel of a window and, when it is
+/// to be continued, its sums.
+///
+/// Workers fill it tile by tile: `BeginTile`, `FilmTile::Add` for every sample, `EndTile`.
+/// Different tiles may be in work on different threads at the same time as long as their windows do
+/// not overlap. Passes over the same pixels continue the sums, so 100 samples and later 400 more
+/// give the bytes of 500.
+class Film {
+ public:
+  enum class Keep {
+    kColours,  ///< 12 bytes per pixel; each pixel gets all its samples in one tile
+    kSums,     ///< 76 bytes per pixel; tiles may come again with more samples
+  };
+
+  Film(PixelWindow window, Keep keep);
+
+  const PixelWindow& Window() const { return window_; }
+
+  /// Prepares the tile for samples of the pixels of `window`, which must lie within the film.
+  void BeginTile(const PixelWindow& window, FilmTile* tile) const;
+
+  /// Develops the pixels of the tile into the picture.
+  void EndTile(const FilmTile& tile);
+
+  /// The colour of a pixel of the whole picture; black before its tile has ended.
+  Rgb Pixel(int x, int y) const;
+
+  /// Red, green, blue of the pixels of a row, from left to right; y counts in the whole picture.
+  std::span<const float> Row(int y) const;
+
+  /// How many samples were dropped so far because they were not finite or negative.
+  uint64_t DroppedSamples() const { return dropped_samples_.load(std::memory_order_relaxed); }
+
+ private:
+  size_t IndexOf(int x, int y) const;
+
+  PixelWindow window_;
+  ZeroedArray<float> colours_;
+  ZeroedArray<PixelSums> sums_;  ///< null for `Keep::kColours`
+  std::atomic<uint64_t> dropped_samples_{0};
+};
+
+}  // namespace candela

@@ -115,11 +115,11 @@ class Parser {
     std::map<std::string_view, const MaterialSpec*> by_name;
     for (const MaterialSpec& material : scene_.materials) {
       if (material.name.empty()) continue;
-      const auto [first, is_new] = by_name.try_emplace(material.name, &material);
-      if (is_new) continue;
+      const MaterialSpec* first = by_name.try_emplace(material.name, &material).first->second;
+      if (first == &material) continue;
       diagnostics_.Error(material.name_where, [&] {
         return fmt::format("a material named {} stands in line {} already", Quote(material.name),
-                           first->second->name_where.line);
+                           first->name_where.line);
       });
     }
   }

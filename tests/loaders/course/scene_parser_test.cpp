@@ -97,7 +97,7 @@ TEST(SceneParser, SectionsMayComeInAnyOrder) {
 TEST(SceneParser, ParametersMayComeInAnyOrderTheTypeIncluded) {
   const SceneSpec spec = Parse(kCamera + "Scene { Component<Object> { radius 2 type sphere } }");
   EXPECT_EQ(spec.nodes[0].object->type, "sphere");
-  EXPECT_EQ(spec.nodes[0].object->where.column, 44u);
+  EXPECT_EQ(spec.nodes[0].object->where.column, 43u);
 }
 
 TEST(SceneParser, ALaterSectionReplacesScenesAndMaterialsButAddsToTheOthers) {

@@ -77,5 +77,18 @@ TEST(ListOf, ReadsAsASentence) {
   EXPECT_EQ(ListOf(words.first(3)), "'sphere', 'plane' or 'triangle'");
 }
 
+TEST(Nearest, UpperAndLowerCaseAreNear) {
+  constexpr std::string_view kWords[] = {"up", "fov", "FOVEA"};
+  EXPECT_EQ(Nearest("FOV", kWords), "fov");
+  EXPECT_EQ(Nearest("UP", kWords), "up");
+  EXPECT_EQ(Nearest("XYZ", kWords), std::nullopt);
+}
+
+TEST(ListOf, EndsWithTheWordOfTheSentence) {
+  constexpr std::string_view kWords[] = {"a", "b", "c"};
+  EXPECT_EQ(ListOf(kWords), "'a', 'b' or 'c'");
+  EXPECT_EQ(ListOf(kWords, "and"), "'a', 'b' and 'c'");
+}
+
 }  // namespace
 }  // namespace candela

@@ -78,16 +78,16 @@ TEST(ListOf, ReadsAsASentence) {
 }
 
 TEST(Nearest, UpperAndLowerCaseAreNear) {
-  constexpr std::string_view kWords[] = {"up", "fov", "FOVEA"};
-  EXPECT_EQ(Nearest("FOV", kWords), "fov");
-  EXPECT_EQ(Nearest("UP", kWords), "up");
-  EXPECT_EQ(Nearest("XYZ", kWords), std::nullopt);
+  constexpr std::string_view kNames[] = {"up", "fov", "FOVEA"};
+  EXPECT_EQ(Nearest("FOV", kNames), "fov");
+  EXPECT_EQ(Nearest("UP", kNames), "up");
+  EXPECT_EQ(Nearest("XYZ", kNames), std::nullopt);
 }
 
 TEST(ListOf, EndsWithTheWordOfTheSentence) {
-  constexpr std::string_view kWords[] = {"a", "b", "c"};
-  EXPECT_EQ(ListOf(kWords), "'a', 'b' or 'c'");
-  EXPECT_EQ(ListOf(kWords, "and"), "'a', 'b' and 'c'");
+  constexpr std::string_view kNames[] = {"a", "b", "c"};
+  EXPECT_EQ(ListOf(kNames), "'a', 'b' or 'c'");
+  EXPECT_EQ(ListOf(kNames, "and"), "'a', 'b' and 'c'");
 }
 
 }  // namespace

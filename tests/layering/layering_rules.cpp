@@ -9,12 +9,6 @@
 namespace candela::layering {
 namespace {
 
-/// Who may include whom, as in docs/architecture.md section 2. A folder may also include itself and
-/// what the folders it names may include.
-struct Row {
-  std::string_view folder;
-  std::vector<std::string_view> may_include;
-};
 const std::vector<Row> kTable = {
     {"apps", {"render", "loaders", "image", "fluid"}},
     {"render", {"integrators", "film", "scene"}},
@@ -96,6 +90,10 @@ std::string IncludedFolder(const std::string& line) {
 }
 
 }  // namespace
+
+const std::vector<Row>& Table() {
+  return kTable;
+}
 
 std::string FolderOf(std::string_view path) {
   const size_t first = path.find('/');

@@ -55,6 +55,8 @@ class Moments {
 TEST(Interruption, AKillLeavesTheOldContentOrTheNew) {
   const TempFolder folder;
   const auto path = folder / "output";
+  // Writes once before the children start: on the portable platform they inherit the number drawn
+  // then, and so find each other's leftover at once.
   Moments moments(path);
   int killed_while_writing = 0;
   for (int i = 0; i < 20; ++i) {

@@ -40,10 +40,10 @@ struct Rule {
   std::vector<std::string_view> places;
 };
 const std::vector<Rule> kRules = {
-    {"platform headers belong in base/",
+    {"platform headers belong in base/posix/",
      std::regex(R"(#\s*include\s*<(sys/|unistd|fcntl|signal\.h|dlfcn|pthread|sched|poll|termios|)"
                 R"(dirent|spawn|mach/|[Ww]indows))"),
-     {"src/base/"}},
+     {"src/base/posix/"}},
     {"the threading library belongs in base/parallel.cpp",
      std::regex(R"(#\s*include\s*<(tbb|oneapi)/)"),
      {"src/base/parallel.cpp"}},

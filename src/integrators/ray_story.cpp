@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace candela {
 namespace {
 
@@ -12,7 +15,9 @@ std::string ToText(Vec3 v) {
 }  // namespace
 
 void RayStory::Add(std::string text) {
-  lines_.push_back(std::string(2 * depth_, ' ') + std::move(text));
+  // Of many thousand reflections the indent would take more memory than the words.
+  constexpr size_t kDeepestIndent = 20;
+  lines_.push_back(std::string(2 * std::min(depth_, kDeepestIndent), ' ') + std::move(text));
 }
 
 void RayStory::OnHit(const Ray& ray, const HitRecord& hit, Vec3 normal, const PhongTerms& terms) {

@@ -13,20 +13,33 @@ namespace candela {
 /// Intersection", 2013: shearing takes the ray to the z axis, so that an edge shared by two
 /// triangles is judged by the very same numbers for both.
 struct ShearedRay {
-  Vec3 origin;
+  Vec3 origin, direction;
   int kx, ky, kz;  ///< Axes of the sheared space; kz is where the direction is largest.
-  float shear_x, shear_y, shear_z;
+  float shear_x, shear_y;
 
-  explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
+  explicit ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
     kz = LargestAxis(ray.direction);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
     if (ray.direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
     shear_x = ray.direction[kx] / ray.direction[kz];
     shear_y = ray.direction[ky] / ray.direction[kz];
-    shear_z = 1.0f / ray.direction[kz];
   }
 };
+
+/// The normal on the side where the corners are seen counter-clockwise, as long as twice the area.
+/// In double, where it is right for triangles of any size and shape.
+inline Vec3d TriangleCross(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3d corner = ToDouble(a);
+  return Cross(ToDouble(b) - corner, ToDouble(c) - corner);
+}
+
+/// The unit normal on the same side; 0 for a triangle without area.
+inline Vec3 TriangleNormal(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3d n = TriangleCross(a, b, c);
+  const double length = Length(n);
+  return length > 0 ? ToFloat(n / length) : Vec3();
+}
 
 /// Looks for a hit of the closed triangle, from either side, with `t_min <= t < hit->t`. On success
 /// stores t and the barycentric weights u of `b` and v of `c`; on a miss leaves `*hit` as it was.
@@ -69,22 +82,17 @@ inline bool IntersectTriangle(const ShearedRay& ray, float t_min, Vec3 a, Vec3 b
     u = static_cast<float>(exact_b / exact_sum);
     v = static_cast<float>(exact_c / exact_sum);
   }
-  const float depth = (1 - u - v) * to_a[ray.kz] + u * to_b[ray.kz] + v * to_c[ray.kz];
-  const float t = depth * ray.shear_z;
+
+  // The distance to the plane, in double: blending the corners' depths is wrong by the rounding of
+  // the triangle's size, so that rays which leave a large triangle would hit it again.
+  const Vec3d n = TriangleCross(a, b, c);
+  const auto t = static_cast<float>(Dot(n, ToDouble(a) - ToDouble(ray.origin)) /
+                                    Dot(n, ToDouble(ray.direction)));
   if (!(t >= t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
   hit->t = t;
   hit->u = u;
   hit->v = v;
   return true;
-}
-
-/// The unit normal on the side where the corners are seen counter-clockwise; 0 for a triangle
-/// without area. In double, so that it does not matter how small the triangle is.
-inline Vec3 TriangleNormal(Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3d origin = ToDouble(a);
-  const Vec3d n = Cross(ToDouble(b) - origin, ToDouble(c) - origin);
-  const double length = Length(n);
-  return length > 0 ? ToFloat(n / length) : Vec3();
 }
 
 /// The point with barycentric weights u of `b` and v of `c`.

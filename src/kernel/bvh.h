@@ -64,22 +64,23 @@ inline Bvh::BoxRay::BoxRay(const Ray& ray)
 
 /// The ray's entry into the box, or infinity when it misses it before `t_limit`. The comparisons
 /// are written so that a NaN, from 0 * infinity when the origin lies on a slab that the ray is
-/// parallel to, does not shrink the interval. After Ize, "Robust BVH Ray Traversal", 2013, but it
-/// is the entry that makes up for the three roundings of each distance, since it is compared with
-/// the limit as well as with the exit.
+/// parallel to, does not shrink the interval. After Ize, "Robust BVH Ray Traversal", 2013, but both
+/// ends make up for the three roundings of a distance, and for those of a hit at t_min or t_limit,
+/// which is computed in another way.
 inline float Bvh::EntryOrMiss(const BoxRay& ray, const Bounds3& box, float t_limit) {
-  constexpr float kWiden = 1 - 6e-7f;
+  constexpr float kRounding = 6e-7f;
   float entry = ray.t_min;
   float exit = t_limit;
   for (int axis = 0; axis < 3; ++axis) {
     const float to_min = (box.min[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
     const float to_max = (box.max[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
-    const float near = (ray.inverse_direction[axis] < 0 ? to_max : to_min) * kWiden;
+    const float near = ray.inverse_direction[axis] < 0 ? to_max : to_min;
     const float far = ray.inverse_direction[axis] < 0 ? to_min : to_max;
     entry = near > entry ? near : entry;
     exit = far < exit ? far : exit;
   }
-  return entry <= exit ? entry : Bounds3::kInfinity;
+  entry *= 1 - kRounding;
+  return entry <= exit * (1 + kRounding) ? entry : Bounds3::kInfinity;
 }
 
 template <class Visit>

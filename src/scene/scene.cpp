@@ -65,7 +65,9 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SurfacePoint local = object.shape->SurfaceAt(ToObject(hit.object, ray), hit);
   SurfacePoint world = local;
   world.p = object.world_from_object.Point(local.p);
-  world.p_error = object.world_from_object.PointError(local.p, local.p_error);
+  // A ray that leaves from here is taken back to object space, with a rounding error of its own.
+  const Vec3 way_back = object.object_from_world.PointError(world.p, {});
+  world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
   // Normals go by the inverse transpose.
   const auto to_world = [&](Vec3 n) {
     return NormalizeAnyLength(object.object_from_world.TransposedVector(n));

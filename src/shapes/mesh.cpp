@@ -38,8 +38,7 @@ void Mesh::ComputeVertexNormals() {
   // In double: the cross products of small triangles have no digits left in single precision.
   std::vector<Vec3d> sums(spec_->positions.size());
   for (const auto& [a, b, c] : spec_->triangles) {
-    const Vec3d pa = ToDouble(spec_->positions[a]);
-    const Vec3d n = Cross(ToDouble(spec_->positions[b]) - pa, ToDouble(spec_->positions[c]) - pa);
+    const Vec3d n = TriangleCross(spec_->positions[a], spec_->positions[b], spec_->positions[c]);
     for (const uint32_t corner : {a, b, c}) sums[corner] += n;
   }
   vertex_normals_.reserve(sums.size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/bounds3.h"
+#include "geometry/spawn_ray.h"
 #include "math/elementary.h"
 #include "tests/sampling/chi_square.h"
 
@@ -130,7 +131,7 @@ TEST(IntersectTriangle, AgreesWithDoublePrecision) {
     ASSERT_EQ(Intersect(triangle, Ray(origin, direction), &hit), inside > 0) << i;
     if (inside < 0) continue;
     ++hits;
-    EXPECT_NEAR(hit.t, t, 2e-4 * t);
+    EXPECT_FLOAT_EQ(hit.t, static_cast<float>(t));
     EXPECT_NEAR(hit.u, u, 2e-3);
     EXPECT_NEAR(hit.v, v, 2e-3);
   }
@@ -146,6 +147,31 @@ TEST(TriangleNormal, IsAUnitVectorAtAnyScaleAndZeroWithoutArea) {
   EXPECT_EQ(TriangleNormal({0, 0, 0}, {1e-40f, 0, 0}, {0, 1e-40f, 0}), (Vec3{0, 0, 1}));
   EXPECT_EQ(TriangleNormal({0, 0, 0}, {1e38f, 0, 0}, {0, 1e38f, 0}), (Vec3{0, 0, 1}));
   EXPECT_EQ(TriangleNormal({0, 0, 0}, {1, 1, 1}, {3, 3, 3}), (Vec3{0, 0, 0}));
+}
+
+// Whichever way it goes from there, also where the triangle lies in a plane of the axes.
+TEST(SpawnRay, FromATriangleDoesNotHitItAgain) {
+  UniformNumbers random(3);
+  for (const float far : {0.0f, 1.0f, 1000.0f}) {
+    for (const bool is_level : {false, true}) {
+      int hits = 0;
+      for (int i = 0; i < 100000; ++i) {
+        Corners corners;
+        for (Vec3& corner : corners) {
+          corner = RandomPoint(&random) + Vec3{far, far, far};
+          if (is_level) corner.z = far;
+        }
+        const auto& [a, b, c] = corners;
+        Vec2 uv = random.NextPair();
+        if (uv.x + uv.y > 1) uv = Vec2{1, 1} - uv;
+        const Vec3 n = TriangleNormal(a, b, c);
+        const SurfacePoint point{TrianglePoint(a, b, c, uv.x, uv.y),
+                                 TrianglePointError(a, b, c, uv.x, uv.y), n, n};
+        hits += IsHit(corners, SpawnRay(point, Normalize(RandomPoint(&random))));
+      }
+      EXPECT_EQ(hits, 0) << far << (is_level ? " level" : "");
+    }
+  }
 }
 
 /// A closed surface: rays from inside cannot leave it anywhere.

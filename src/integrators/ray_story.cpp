@@ -9,6 +9,7 @@ namespace candela {
 namespace {
 
 std::string ToText(Vec3 v) {
+  v += Vec3();  // Turns -0 into 0.
   return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
 }
 

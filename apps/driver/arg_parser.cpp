@@ -31,9 +31,11 @@ std::string JoinLabels(const std::vector<ArgValue>& values) {
 Result<void> Store(const ArgValue& value, std::string_view word, std::string_view name,
                    bool is_one_of_many) {
   if (value.store(word)) return {};
+  // A number is no misspelt other number.
+  const std::string suggestion = ParseDouble(word) ? "" : DidYouMean(word, value.choices);
   return UsageError(fmt::format("{}: expects {}{}, found {}{}", name, value.expects,
                                 is_one_of_many ? " for " + value.label : "", Quote(word),
-                                DidYouMean(word, value.choices)));
+                                suggestion));
 }
 
 }  // namespace
@@ -135,18 +137,21 @@ class ArgParser::Reader {
   }
 
   Result<void> TooFew(const OptionEntry& option, size_t found) const {
-    std::string what = found == 0 ? "nothing" : "only " + Quote(words_[next_ - 1]);
+    const std::string name = parser_.Spell(option.name);
+    std::string what = "nothing";
+    if (found == 1) what = "only " + Quote(words_[next_ - 1]);
     if (found > 1) what = fmt::format("only {} of {} values", found, option.values.size());
     if (next_ < words_.size()) {
       const std::string_view next = words_[next_];
-      what += fmt::format(" before {}", Quote(next));
+      what += " before " + Quote(next);
       // A file may have such a name; say how to get it through.
-      if (TakeApart(next).option == nullptr)
-        what += fmt::format(" (if that is a value, write {}={})", parser_.Spell(option.name),
-                            Quote(next));
+      if (TakeApart(next).option == nullptr && found == 0) {
+        what += fmt::format(" (if that is meant as a value, write {}={})", name,
+                            CutTo(60, EscapeControl(next.substr(0, 64))));
+      }
     }
-    return UsageError(fmt::format("{}: expects {}, found {}", parser_.Spell(option.name),
-                                  JoinLabels(option.values), what));
+    return UsageError(
+        fmt::format("{}: expects {}, found {}", name, JoinLabels(option.values), what));
   }
 
   Result<void> CheckRequired() const {

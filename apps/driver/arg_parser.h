@@ -41,7 +41,8 @@ class ArgParser {
   /// Options that follow stand under this headline in the help.
   void Group(std::string title);
   void Flag(std::string name, bool* target, std::string help, ArgTraits traits = {});
-  void Option(std::string name, std::vector<ArgValue> values, std::string help, ArgTraits traits = {});
+  void Option(std::string name, std::vector<ArgValue> values, std::string help,
+              ArgTraits traits = {});
   /// A word without an option, which must be given.
   void Positional(ArgValue value, std::string help);
   /// One or more of them; the last positional.

@@ -33,7 +33,7 @@ Error NotFound(const fs::path& name, const std::vector<fs::path>& folders) {
   std::string places;
   for (const fs::path& folder : folders) {
     AddSimilarFiles(folder, name, &files);
-    places += fmt::format(", '{}'", EscapeControl(folder.string()));
+    places += fmt::format(", in '{}'", EscapeControl(folder.string()));
   }
   const std::vector<std::string_view> candidates(files.begin(), files.end());
   return {ErrorCode::kInput,

@@ -39,9 +39,8 @@ std::string ProgressText(const ProgressState& state) {
   const double fraction = Fraction(state);
   // Cut, not rounded: 100% means that it is done.
   std::string text = fmt::format("{}%", static_cast<int>(100 * fraction));
-  if (state.seconds > 0) {
-    text += "  " + Rate(static_cast<double>(state.rays) / state.seconds);
-  }
+  if (!(state.seconds > 0)) return text;
+  text += "  " + Rate(static_cast<double>(state.rays) / state.seconds);
   if (fraction >= 1) return text + "  in " + Duration(state.seconds);
   if (fraction > 0) text += "  " + Duration(state.seconds * (1 / fraction - 1)) + " left";
   return text;

@@ -35,6 +35,7 @@ void ProgressReporter::RedrawBar() {
   const bool colours = !AreColoursUnwanted();
   bool is_over = WaitForEnd(kSecondsBeforeBar);
   if (is_over) return;
+  MarkOpenLine(true);
   while (true) {
     // The last column stays free: some terminals begin a new line as soon as it is filled.
     fmt::print(stderr, "\r{}", ProgressBar(State(), ErrorTerminalColumns() - 1, colours));
@@ -42,7 +43,7 @@ void ProgressReporter::RedrawBar() {
     if (is_over) break;
     is_over = WaitForEnd(kSecondsPerFrame);
   }
-  fmt::print(stderr, "\n");
+  EndOpenLine();
 }
 
 void ProgressReporter::PrintLines() {

@@ -5,13 +5,15 @@
 #include <csignal>
 
 #include "base/files.h"
+#include "base/terminal.h"
 
 namespace candela {
 namespace {
 
 extern "C" void EndProcess(int signal) {
-  // Only async-signal-safe calls: unlink and _exit.
+  // Only async-signal-safe calls: unlink, write and _exit.
   RemoveUnfinishedOutput();
+  EndOpenLine();
   _exit(128 + signal);
 }
 

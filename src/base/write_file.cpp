@@ -196,8 +196,9 @@ Result<void> WriteFileAtomically(const fs::path& path, std::span<const std::byte
 bool IsSameFile(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error)) return true;
-  const fs::path one = fs::weakly_canonical(ResolveLinks(a), error);
-  const fs::path two = fs::weakly_canonical(ResolveLinks(b), error);
+  // Made absolute first: a relative path stays relative where nothing of it exists yet.
+  const fs::path one = fs::weakly_canonical(fs::absolute(ResolveLinks(a), error), error);
+  const fs::path two = fs::weakly_canonical(fs::absolute(ResolveLinks(b), error), error);
   return !error && one == two;
 }
 

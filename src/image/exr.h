@@ -20,8 +20,9 @@ struct ExrPicture {
 
 /// The colours of an OpenEXR file: R, G, B (and A), else Y (and A), else its only channel.
 /// Scanlines or tiles, of several parts the first, of several levels the largest; the picture is
-/// the data window. Half, float and whole numbers become float. Deep pixels, subsampled channels
-/// and files that lack a block are errors, as is a picture of more than `most_bytes`.
+/// the data window. Half, float and whole numbers become float. The lossy compressions DWAA and
+/// DWAB, deep pixels, subsampled channels and files that lack a block are errors, as is a picture
+/// of more than `most_bytes`.
 Result<Image> DecodeExr(std::string_view bytes, int64_t most_bytes = kMostImageBytes);
 
 /// All channels of such a file.

@@ -30,7 +30,9 @@ int64_t SizeOfBytes(exr_const_context_t, void* user_data) {
   return static_cast<int64_t>(static_cast<std::string_view*>(user_data)->size());
 }
 
-/// Unpacks the blocks of a file one after the other into the channels of a picture.
+/// Unpacks the blocks of a file one after the other into the channels of a picture. The library
+/// writes every channel of a block into a plane of its own. It could also write pixels and leave
+/// channels out, but version 3.1 mixes up or crashes on four channels of halves then.
 class BlockReader {
  public:
   /// `slots` says for each channel of the file which channel of `image` takes it; -1 leaves it out.
@@ -49,26 +51,39 @@ class BlockReader {
     exr_result_t code = is_first_ ? exr_decoding_initialize(context_, kPart, &block, &pipeline_)
                                   : exr_decoding_update(context_, kPart, &block, &pipeline_);
     if (code != EXR_ERR_SUCCESS) return code;
-    float* corner = image_.Pixel(static_cast<int>(x), static_cast<int>(y)).data();
+    const size_t plane = static_cast<size_t>(block.width) * static_cast<size_t>(block.height);
+    planes_.resize(plane * slots_.size());
     for (size_t c = 0; c < slots_.size(); ++c) {
       exr_coding_channel_info_t& channel = pipeline_.channels[c];
-      channel.decode_to_ptr = nullptr;
-      if (slots_[c] < 0) continue;
       channel.user_bytes_per_element = sizeof(float);
       channel.user_data_type = EXR_PIXEL_FLOAT;
-      channel.user_pixel_stride = image_.Channels() * static_cast<int>(sizeof(float));
-      channel.user_line_stride = static_cast<int32_t>(image_.RowSize() * sizeof(float));
-      channel.decode_to_ptr = reinterpret_cast<uint8_t*>(corner + slots_[c]);
+      channel.user_pixel_stride = sizeof(float);
+      channel.user_line_stride = block.width * static_cast<int32_t>(sizeof(float));
+      channel.decode_to_ptr = reinterpret_cast<uint8_t*>(planes_.data() + plane * c);
     }
     if (is_first_) code = exr_decoding_choose_default_routines(context_, kPart, &pipeline_);
     is_first_ = false;
-    return code == EXR_ERR_SUCCESS ? exr_decoding_run(context_, kPart, &pipeline_) : code;
+    if (code == EXR_ERR_SUCCESS) code = exr_decoding_run(context_, kPart, &pipeline_);
+    if (code == EXR_ERR_SUCCESS) Interleave(block, static_cast<int>(x), static_cast<int>(y));
+    return code;
   }
 
  private:
+  void Interleave(const exr_chunk_info_t& block, int x, int y) {
+    const float* from = planes_.data();
+    for (const int slot : slots_) {
+      for (int row = 0; row < block.height; ++row, from += block.width) {
+        if (slot < 0) continue;
+        float* to = image_.Pixel(x, y + row).data() + slot;
+        for (int i = 0; i < block.width; ++i) to[i * int64_t{image_.Channels()}] = from[i];
+      }
+    }
+  }
+
   exr_context_t context_;
   std::vector<int> slots_;
   Image& image_;
+  std::vector<float> planes_;
   exr_decode_pipeline_t pipeline_{};
   bool is_first_ = true;
 };
@@ -151,14 +166,19 @@ Result<ExrPicture> Read(std::string_view bytes, int64_t most_bytes, const Choice
   exr_storage_t storage = EXR_STORAGE_LAST_TYPE;
   const exr_attr_chlist_t* list = nullptr;
   exr_attr_box2i_t window{};
+  exr_compression_t compression = EXR_COMPRESSION_NONE;
   code = exr_get_storage(context.handle, kPart, &storage);
   if (code == EXR_ERR_SUCCESS) code = exr_get_channels(context.handle, kPart, &list);
+  if (code == EXR_ERR_SUCCESS) code = exr_get_compression(context.handle, kPart, &compression);
   if (code == EXR_ERR_SUCCESS) code = exr_get_data_window(context.handle, kPart, &window);
   if (code != EXR_ERR_SUCCESS) return Wrong(ExrMessage(code));
   if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED) {
     return Wrong("deep pixels are not supported");
   }
   if (list->num_channels < 1) return Wrong("there are no channels");
+  if (compression == EXR_COMPRESSION_DWAA || compression == EXR_COMPRESSION_DWAB) {
+    return Wrong("the compressions DWAA and DWAB are not supported");
+  }
 
   const int64_t width = int64_t{window.max.x} - window.min.x + 1;
   const int64_t height = int64_t{window.max.y} - window.min.y + 1;

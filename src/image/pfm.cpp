@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -27,12 +28,10 @@ std::string_view TakeWord(std::string_view* rest) {
   return word;
 }
 
-float FloatAt(const char* bytes, bool is_big) {
-  uint32_t bits = 0;
-  for (int i = 0; i < 4; ++i) {
-    bits |= uint32_t{static_cast<uint8_t>(bytes[i])} << (is_big ? 24 - 8 * i : 8 * i);
-  }
-  return std::bit_cast<float>(bits);
+/// Turns the bits of a float from the machine's order into another, or back.
+uint32_t Reorder(uint32_t bits, ByteOrder order) {
+  if ((order == ByteOrder::kBig) == (std::endian::native == std::endian::big)) return bits;
+  return bits >> 24 | (bits >> 8 & 0xff00) | (bits << 8 & 0xff0000) | bits << 24;
 }
 
 }  // namespace
@@ -64,11 +63,14 @@ Result<Image> DecodePfm(std::string_view bytes, std::vector<std::string>* warnin
   }
 
   Image image(static_cast<int>(*w), static_cast<int>(*h), channels);
+  const ByteOrder order = *s > 0 ? ByteOrder::kBig : ByteOrder::kLittle;
   const char* from = rest.data();
   for (int y = image.Height() - 1; y >= 0; --y) {
     for (float& value : image.Row(y)) {
-      value = FloatAt(from, *s > 0);
-      from += sizeof(float);
+      uint32_t bits;
+      std::memcpy(&bits, from, sizeof(bits));
+      value = std::bit_cast<float>(Reorder(bits, order));
+      from += sizeof(bits);
     }
   }
   return image;
@@ -80,15 +82,16 @@ Result<std::string> EncodePfm(const Image& image, ByteOrder order) {
   if (image.Channels() == 2) return EncodePfm(WithChannels(image, 1), order);
   if (image.Channels() == 4) return EncodePfm(WithChannels(image, 3), order);
 
-  const bool is_big = order == ByteOrder::kBig;
-  std::string out = fmt::format("{}\n{} {}\n{}\n", image.Channels() == 3 ? "PF" : "Pf",
-                                image.Width(), image.Height(), is_big ? "1.0" : "-1.0");
-  out.reserve(out.size() + image.Samples().size_bytes());
+  std::string out =
+      fmt::format("{}\n{} {}\n{}\n", image.Channels() == 3 ? "PF" : "Pf", image.Width(),
+                  image.Height(), order == ByteOrder::kBig ? "1.0" : "-1.0");
+  size_t to = out.size();
+  out.resize(to + image.Samples().size_bytes());
   for (int y = image.Height() - 1; y >= 0; --y) {
     for (const float value : image.Row(y)) {
-      const auto bits = std::bit_cast<uint32_t>(value);
-      for (int i = 0; i < 4; ++i)
-        out.push_back(static_cast<char>(bits >> (is_big ? 24 - 8 * i : 8 * i)));
+      const uint32_t bits = Reorder(std::bit_cast<uint32_t>(value), order);
+      std::memcpy(out.data() + to, &bits, sizeof(bits));
+      to += sizeof(bits);
     }
   }
   return out;

@@ -1,30 +1,34 @@
+// Why the chunks are not left to libspng: it takes a second palette, data in several places and
+// bytes after the end in silence, knows no missing end unless asked for the chunks behind the
+// pixels, and refuses a picture for some faults of ancillary chunks that it should only leave out.
 #include "image/png_chunks.h"
 
 #include <fmt/format.h>
-#include <libdeflate.h>
+#include <zlib.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/text.h"
-#include "image/big_endian.h"
 
 namespace candela {
 namespace {
-
-constexpr size_t kMostLength = 0x7fffffff;
 
 Error Wrong(std::string text) {
   return {ErrorCode::kInput, std::move(text)};
 }
 
+uint32_t BigEndian32(const char* bytes) {
+  uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value = value << 8 | static_cast<uint8_t>(bytes[i]);
+  return value;
+}
+
 struct Chunk {
-  std::string_view type;
-  std::string_view content;
-  std::string_view checked;  // type and content, what the checksum covers
-  uint32_t checksum;
+  std::string_view type, content;
+  bool is_intact;  // True for ancillary chunks, whose checksums are not looked at.
 
   bool IsCritical() const { return (type[0] & 0x20) == 0; }
-  bool IsIntact() const { return libdeflate_crc32(0, checked.data(), checked.size()) == checksum; }
 };
 
 bool IsChunkType(std::string_view type) {
@@ -37,62 +41,38 @@ Result<Chunk> TakeChunk(std::string_view* rest) {
   const size_t length = BigEndian32(rest->data());
   const std::string_view type = rest->substr(4, 4);
   if (!IsChunkType(type)) return Wrong(fmt::format("{} is not a chunk name", Quote(type)));
-  if (length > kMostLength || rest->size() < 12 || length > rest->size() - 12) {
+  if (length > 0x7fffffff || rest->size() < 12 || length > rest->size() - 12) {
     return Wrong(fmt::format("the chunk {} claims {} bytes, but only {} are left in the file",
                              Quote(type), length, rest->size() - 8));
   }
-  const Chunk chunk{type, rest->substr(8, length), rest->substr(4, length + 4),
-                    BigEndian32(rest->data() + 8 + length)};
+  Chunk chunk{type, rest->substr(8, length), true};
+  if (chunk.IsCritical()) {
+    const auto* checked = reinterpret_cast<const Bytef*>(type.data());
+    chunk.is_intact = crc32_z(0, checked, length + 4) == BigEndian32(rest->data() + 8 + length);
+  }
   rest->remove_prefix(length + 12);
   return chunk;
 }
 
-bool IsDepthAllowed(PngColour colour, int depth) {
-  switch (colour) {
-    case PngColour::kGrey:
-      return depth == 1 || depth == 2 || depth == 4 || depth == 8 || depth == 16;
-    case PngColour::kPalette:
-      return depth == 1 || depth == 2 || depth == 4 || depth == 8;
-    case PngColour::kRgb:
-    case PngColour::kGreyAlpha:
-    case PngColour::kRgbAlpha:
-      return depth == 8 || depth == 16;
+/// The header as the library reads it, with all its checks.
+Result<spng_ihdr> ReadHeader(std::string_view bytes) {
+  const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(0), &spng_ctx_free);
+  spng_ihdr header;
+  spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
+  const int code = spng_get_ihdr(context.get(), &header);
+  if (code == SPNG_EOVERFLOW) {  // More than 32 bits count.
+    return Error{ErrorCode::kResources, "the rows of the picture are too long"};
   }
-  return false;
-}
-
-Result<void> ReadHeader(std::string_view content, PngChunks* png) {
-  if (content.size() != 13) {
-    return Wrong(fmt::format("the chunk 'IHDR' has {} bytes instead of 13", content.size()));
+  if (code != SPNG_OK) {
+    return Wrong(fmt::format("the header is wrong: {}", spng_strerror(code)));
   }
-  const auto byte = [&](size_t i) { return static_cast<uint8_t>(content[i]); };
-  png->width = BigEndian32(content.data());
-  png->height = BigEndian32(content.data() + 4);
-  if (png->width - 1 >= kMostLength || png->height - 1 >= kMostLength) {
-    return Wrong(
-        fmt::format("a picture of {} x {} pixels is not possible", png->width, png->height));
-  }
-  const int colour = byte(9);
-  if (colour != 0 && colour != 2 && colour != 3 && colour != 4 && colour != 6) {
-    return Wrong(fmt::format("{} is not a colour type (0, 2, 3, 4 or 6)", colour));
-  }
-  png->colour = static_cast<PngColour>(colour);
-  png->bit_depth = byte(8);
-  if (!IsDepthAllowed(png->colour, png->bit_depth)) {
-    return Wrong(
-        fmt::format("a depth of {} bits does not go with colour type {}", png->bit_depth, colour));
-  }
-  if (byte(10) != 0) return Wrong(fmt::format("{} is not a compression method (0)", byte(10)));
-  if (byte(11) != 0) return Wrong(fmt::format("{} is not a filter method (0)", byte(11)));
-  if (byte(12) > 1) return Wrong(fmt::format("{} is not an interlace method (0 or 1)", byte(12)));
-  png->interlaced = byte(12) == 1;
-  return {};
+  return header;
 }
 
 Result<void> ReadPalette(std::string_view content, PngChunks* png) {
   if (!png->palette.empty()) return Wrong("the chunk 'PLTE' is given twice");
   if (!png->data.empty()) return Wrong("the chunk 'PLTE' comes after the picture data");
-  const size_t most = png->colour == PngColour::kPalette ? size_t{3} << png->bit_depth : 768;
+  const size_t most = png->IsIndexed() ? size_t{3} << png->header.bit_depth : 768;
   if (content.empty() || content.size() % 3 != 0 || content.size() > most) {
     return Wrong(fmt::format("a palette of {} bytes is not possible (a multiple of 3, at most {})",
                              content.size(), most));
@@ -101,95 +81,62 @@ Result<void> ReadPalette(std::string_view content, PngChunks* png) {
   return {};
 }
 
-/// Transparency is optional, so a table that does not fit the picture is left out, as libpng does.
-void ReadTransparency(std::string_view content, PngChunks* png,
-                      std::vector<std::string>* warnings) {
-  bool fits = png->data.empty() && png->transparency.empty();
-  switch (png->colour) {
-    case PngColour::kGrey:
-      fits = fits && content.size() == 2;
-      break;
-    case PngColour::kRgb:
-      fits = fits && content.size() == 6;
-      break;
-    case PngColour::kPalette:
-      fits = fits && !content.empty() && content.size() <= png->palette.size() / 3;
-      break;
-    case PngColour::kGreyAlpha:
-    case PngColour::kRgbAlpha:
-      fits = false;
-      break;
-  }
-  if (fits) {
-    png->transparency = content;
-  } else if (warnings) {
-    warnings->push_back("the chunk 'tRNS' does not fit the picture and is not used");
-  }
+bool TransparencyFits(std::string_view content, const PngChunks& png) {
+  if (!png.data.empty() || !png.transparency.empty()) return false;
+  if (png.IsIndexed()) return !content.empty() && content.size() <= png.palette.size() / 3;
+  const int channels = png.StoredChannels();
+  return channels % 2 == 1 && content.size() == 2 * static_cast<size_t>(channels);
 }
 
 }  // namespace
-
-int PngChunks::StoredChannels() const {
-  switch (colour) {
-    case PngColour::kGrey:
-    case PngColour::kPalette:
-      return 1;
-    case PngColour::kGreyAlpha:
-      return 2;
-    case PngColour::kRgb:
-      return 3;
-    case PngColour::kRgbAlpha:
-      return 4;
-  }
-  return 1;
-}
 
 Result<PngChunks> ReadPngChunks(std::string_view bytes, std::vector<std::string>* warnings) {
   if (!bytes.starts_with(kPngSignature)) return Wrong("this is not a PNG file");
   const auto warn = [&](std::string text) {
     if (warnings) warnings->push_back(std::move(text));
   };
+  const Result<spng_ihdr> header = ReadHeader(bytes);
+  if (!header) return header.error();
   PngChunks png;
+  png.header = *header;
   std::string_view rest = bytes.substr(kPngSignature.size());
   bool has_header = false, has_end = false, data_is_closed = false;
 
   // The end chunk has no content, so a file that stops inside it lacks only the end itself.
-  while (rest.size() >= 8 && !(rest.size() < 12 && rest.substr(4, 4) == "IEND")) {
+  while (!has_end && rest.size() >= 8 && !(rest.size() < 12 && rest.substr(4, 4) == "IEND")) {
     const Result<Chunk> chunk = TakeChunk(&rest);
     if (!chunk) return chunk.error();
-    const auto& [type, content, checked, checksum] = *chunk;
-    if (chunk->IsCritical() && !chunk->IsIntact()) {
+    const std::string_view type = chunk->type;
+    if (!chunk->is_intact) {
       return Wrong(fmt::format("the checksum of the chunk {} is wrong", Quote(type)));
-    }
-    if (has_header == (type == "IHDR")) {
-      return Wrong(has_header ? "the chunk 'IHDR' is given twice"
-                              : "the file does not begin with the chunk 'IHDR'");
     }
     if (type != "IDAT") data_is_closed = !png.data.empty();
 
     if (type == "IHDR") {
-      if (Result<void> done = ReadHeader(content, &png); !done) return done.error();
+      if (has_header) return Wrong("the chunk 'IHDR' is given twice");
       has_header = true;
     } else if (type == "PLTE") {
-      if (Result<void> done = ReadPalette(content, &png); !done) return done.error();
+      if (Result<void> done = ReadPalette(chunk->content, &png); !done) return done.error();
     } else if (type == "tRNS") {
-      ReadTransparency(content, &png, warnings);
+      // Transparency is optional, so a table that does not fit the picture is left out.
+      if (TransparencyFits(chunk->content, png)) {
+        png.transparency = chunk->content;
+      } else {
+        warn("the chunk 'tRNS' does not fit the picture and is not used");
+      }
     } else if (type == "IDAT") {
       if (data_is_closed) return Wrong("the 'IDAT' chunks do not follow each other");
-      png.data.push_back(content);
+      png.data.push_back(chunk->content);
     } else if (type == "IEND") {
-      if (!content.empty()) return Wrong("the chunk 'IEND' is not empty");
+      if (!chunk->content.empty()) return Wrong("the chunk 'IEND' is not empty");
       has_end = true;
-      break;
     } else if (chunk->IsCritical()) {
       return Wrong(
           fmt::format("the chunk {} is not known, but needed to read the picture", Quote(type)));
     }
   }
 
-  if (!has_header) return Wrong("the file ends before the chunk 'IHDR'");
-  if (png.colour == PngColour::kPalette && png.palette.empty())
-    return Wrong("the palette is missing");
+  if (png.IsIndexed() && png.palette.empty()) return Wrong("the palette is missing");
   if (png.data.empty()) return Wrong("there is no picture data");
   if (!has_end) {
     warn("the end of the file is missing");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <spng.h>
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,24 +11,20 @@
 
 namespace candela {
 
-/// Colour types as the file numbers them.
-enum class PngColour : uint8_t { kGrey = 0, kRgb = 2, kPalette = 3, kGreyAlpha = 4, kRgbAlpha = 6 };
-
 /// The outer form of a PNG file: its header and the contents of the chunks that pixels depend on.
 /// The views point into the bytes of the file.
 struct PngChunks {
-  uint32_t width = 0;   ///< From 1 to 2^31 - 1.
-  uint32_t height = 0;  ///< From 1 to 2^31 - 1.
-  int bit_depth = 0;    ///< Per sample: 1, 2, 4, 8 or 16, as the colour type allows.
-  PngColour colour = PngColour::kGrey;
-  bool interlaced = false;
-  std::string_view palette;  ///< Three bytes per entry; present if the colour type needs it.
-  std::string_view
-      transparency;  ///< tRNS: an alpha per entry, or one transparent colour; or empty.
+  spng_ihdr header{};             ///< Found sound by the library.
+  std::string_view palette;       ///< Three bytes per entry; present if the colour type needs it.
+  std::string_view transparency;  ///< tRNS: an alpha per entry, or one colour; or empty.
   std::vector<std::string_view> data;  ///< IDAT, in order: one compressed stream cut into pieces.
 
+  bool IsIndexed() const { return header.color_type == SPNG_COLOR_TYPE_INDEXED; }
   /// Samples per pixel as stored: 1 for a palette index.
-  int StoredChannels() const;
+  int StoredChannels() const {
+    constexpr int kByColourType[] = {1, 0, 3, 1, 2, 0, 4};
+    return kByColourType[header.color_type];
+  }
 };
 
 constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);

@@ -1,5 +1,8 @@
 #include "image/quantise.h"
 
+#include <algorithm>
+#include <array>
+
 namespace candela {
 namespace {
 
@@ -14,7 +17,11 @@ Raster<T> Map(const Image& image, Quantise quantise) {
   const size_t count = image.Samples().size();
   size_t i = 0;
   for (; i + kGroup <= count; i += kGroup) {
-    for (size_t k = 0; k < kGroup; ++k) to[i + k] = quantise(from[i + k]);
+    // A local array, since bytes written through `to` might change `from` for all the compiler
+    // knows.
+    std::array<T, kGroup> group;
+    for (size_t k = 0; k < kGroup; ++k) group[k] = quantise(from[i + k]);
+    std::copy(group.begin(), group.end(), to + i);
   }
   for (; i < count; ++i) to[i] = quantise(from[i]);
   return result;

@@ -78,13 +78,13 @@ constexpr Vec3T<T> Max(Vec3T<T> a, Vec3T<T> b) {
 }
 
 template <class T>
-constexpr Vec3T<T> Abs(Vec3T<T> a) {
-  return {a.x < 0 ? -a.x : a.x, a.y < 0 ? -a.y : a.y, a.z < 0 ? -a.z : a.z};
+Vec3T<T> Abs(Vec3T<T> a) {
+  return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
 }
 
 /// The axis (0, 1 or 2) of the component of largest magnitude; the first one of equal ones.
 template <class T>
-constexpr int LargestAxis(Vec3T<T> a) {
+int LargestAxis(Vec3T<T> a) {
   const Vec3T<T> m = Abs(a);
   return m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
 }

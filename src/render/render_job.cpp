@@ -14,9 +14,13 @@ namespace candela {
 /// What one thread needs: the tile in work and the samples that go to the integrator together.
 class RenderJob::Worker {
  public:
-  Worker(RenderJob* job, const SamplePlacer& placer)
-      : job_(*job), placer_(placer), workspace_(job->integrator_.MakeWorkspace()) {}
+  Worker(RenderJob* job, const SamplePlacer& placer, const CancelToken& cancel)
+      : job_(*job),
+        placer_(placer),
+        cancel_(cancel),
+        workspace_(job->integrator_.MakeWorkspace()) {}
 
+  /// A tile that is left when `cancel` is set does not come into the film.
   void RenderTile(const PixelWindow& window) {
     job_.film_.BeginTile(window, &tile_);
     for (int y = window.y0; y < window.y1; ++y) {
@@ -25,7 +29,10 @@ class RenderJob::Worker {
           const SamplePlacer::Placed placed = placer_.Place(x, y, index);
           requests_.push_back(placed.request);
           weights_.push_back(placed.weight);
-          if (requests_.size() == kBatch) TraceBatch();
+          if (requests_.size() < kBatch) continue;
+          // Asked here, since a tile of many samples per pixel takes minutes.
+          if (cancel_.IsCancelled()) return;
+          TraceBatch();
         }
       }
     }
@@ -54,6 +61,7 @@ class RenderJob::Worker {
 
   RenderJob& job_;
   const SamplePlacer& placer_;
+  const CancelToken& cancel_;
   std::unique_ptr<Workspace> workspace_;
   FilmTile tile_;
   std::vector<SampleRequest> requests_;
@@ -72,7 +80,7 @@ Result<void> RenderJob::Run(const CancelToken& cancel) {
   const SamplePlacer placer(options_);
   const Tiles tiles(options_.crop, options_.tile_size);
   std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(ThreadCount()));
-  for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer);
+  for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
   ParallelForWorkers(tiles.Count(), [&](int64_t tile, int worker) {
     if (!cancel.IsCancelled()) workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile));
   });

@@ -3,38 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "base/cancel_token.h"
+#include "tests/support/meeting.h"
 
 namespace candela {
 namespace {
 
-/// Lets callers through once `expected` of them are inside at the same time; false after a minute.
-class Meeting {
- public:
-  explicit Meeting(size_t expected) : expected_(expected) {}
-  bool Join() {
-    std::unique_lock lock(mutex_);
-    threads_.insert(std::this_thread::get_id());
-    changed_.notify_all();
-    return changed_.wait_for(lock, std::chrono::minutes(1),
-                             [&] { return threads_.size() == expected_; });
-  }
-  size_t ThreadsSeen() const { return threads_.size(); }
-
- private:
-  const size_t expected_;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::set<std::thread::id> threads_;
-};
+using testing_support::Meeting;
 
 class ThreadLimitOf : public testing::TestWithParam<int> {};
 

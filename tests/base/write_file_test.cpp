@@ -206,6 +206,9 @@ TEST(IsSameFile, SeesThroughLinksAndDetours) {
   EXPECT_TRUE(IsSameFile(folder / "new", folder / "below/../new"));
   EXPECT_FALSE(IsSameFile(folder / "file", folder / "new"));
   EXPECT_FALSE(IsSameFile(folder / "new", folder / "newer"));
+  // Relative paths of which nothing exists yet.
+  EXPECT_TRUE(IsSameFile("a new file", "./a new file"));
+  EXPECT_FALSE(IsSameFile("a new file", "./another new file"));
 }
 
 }  // namespace

@@ -1,12 +1,9 @@
 #include "image/image_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cmath>
-#include <fstream>
 
 #include "base/files.h"
+#include "tests/support/temp_folder.h"
 
 namespace candela {
 namespace {
@@ -82,14 +79,13 @@ TEST(DecodeImage, UnknownContentIsAnError) {
 }
 
 TEST(ReadImage, GoesByContentAndReportsTheFile) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
-                                     ("candela_image_" + std::to_string(::getpid()) + ".png");
+  const testing_support::TempFolder folder;
+  const std::filesystem::path path = folder / "floats.png";
   const Image image = WideRange();
   const std::string file = *EncodeImage(image, ImageFormat::kPfm);
   ASSERT_TRUE(WriteFileAtomically(path, std::as_bytes(std::span(file))).ok());
   EXPECT_EQ(*ReadImage(path), image);
-  std::filesystem::remove(path);
-  EXPECT_EQ(ReadImage(path).error().message, "no such file");
+  EXPECT_EQ(ReadImage(folder / "none.png").error().message, "no such file");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <cstdlib>
 #include <stdexcept>
 
 namespace candela {
@@ -43,6 +44,23 @@ std::string Deflate(std::string_view bytes) {
     throw std::runtime_error("zlib");
   }
   result.resize(size);
+  return result;
+}
+
+std::string Filtered(int filter, size_t step, std::string_view row, std::string_view prior) {
+  std::string result(1, static_cast<char>(filter));
+  for (size_t i = 0; i < row.size(); ++i) {
+    const int left = i < step ? 0 : static_cast<uint8_t>(row[i - step]);
+    const int above = static_cast<uint8_t>(prior[i]);
+    const int corner = i < step ? 0 : static_cast<uint8_t>(prior[i - step]);
+    // Of the three neighbours the one nearest to the estimate; the first one if several are.
+    const int estimate = left + above - corner;
+    int paeth = left;
+    if (std::abs(estimate - above) < std::abs(estimate - paeth)) paeth = above;
+    if (std::abs(estimate - corner) < std::abs(estimate - paeth)) paeth = corner;
+    const int predictions[] = {0, left, above, (left + above) / 2, paeth};
+    result.push_back(static_cast<char>(static_cast<uint8_t>(row[i]) - predictions[filter]));
+  }
   return result;
 }
 

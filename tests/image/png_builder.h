@@ -7,8 +7,7 @@
 
 namespace candela {
 
-// Puts PNG files together piece by piece, so that a test can do one of the pieces wrong. Uses zlib,
-// which the encoder under test does not.
+// Puts PNG files together piece by piece, so that a test can do one of the pieces wrong.
 
 /// Length, type, content and the right checksum.
 std::string PngChunk(std::string_view type, std::string_view content);
@@ -23,6 +22,10 @@ std::string PngFile(const std::vector<std::string>& chunks);
 
 /// A whole file with these scanlines, each with its filter in front.
 std::string PngOf(const std::string& header, std::string_view scanlines);
+
+/// The filtered form of a scanline, with the filter in front (ISO/IEC 15948, clause 9). `prior` is
+/// the scanline above, of the same size, or zeros; `step` the bytes of a pixel, at least 1.
+std::string Filtered(int filter, size_t step, std::string_view row, std::string_view prior);
 
 std::string Bytes(std::initializer_list<int> values);
 

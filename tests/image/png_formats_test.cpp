@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "image/png_filter.h"
 #include "image/png_read.h"
 #include "tests/image/png_builder.h"
 
@@ -31,8 +30,7 @@ int PaletteEntry(int index, int c) {
 /// The scanlines of a part of the picture, filtered by turns with all five filters.
 std::string Scanlines(const Format& format, int width, int height, int x0, int y0, int dx, int dy) {
   std::string result;
-  const int bits_per_pixel = format.samples * format.depth;
-  const int step = std::max(1, bits_per_pixel / 8);
+  const auto step = static_cast<size_t>(std::max(1, format.samples * format.depth / 8));
   std::string prior;
   int filter = 0;
   for (int y = y0; y < height; y += dy) {
@@ -51,11 +49,7 @@ std::string Scanlines(const Format& format, int width, int height, int x0, int y
       row.push_back(static_cast<char>(std::strtol(bits.substr(i, 8).c_str(), nullptr, 2)));
     }
     prior.resize(row.size());
-    std::string filtered(row.size(), '\0');
-    FilterRow(static_cast<PngFilter>(filter), step, reinterpret_cast<uint8_t*>(row.data()),
-              reinterpret_cast<uint8_t*>(prior.data()), row.size(),
-              reinterpret_cast<uint8_t*>(filtered.data()));
-    result += static_cast<char>(filter) + filtered;
+    result += Filtered(filter, step, row, prior);
     prior = row;
     filter = (filter + 1) % 5;
   }
@@ -168,6 +162,17 @@ TEST(PngFormats, TransparentColourBecomesAlpha) {
   EXPECT_EQ(words.At(1, 0, 3), 65535);
 }
 
+// The colour's number has 16 bits in the file; none of a pixel's 4 can equal one beyond 15.
+TEST(PngFormats, TransparentColourBeyondTheDepthIsNoPixels) {
+  const Result<PngImage> png =
+      DecodePng(PngFile({PngHeader(2, 1, 4, 0), PngChunk("tRNS", Bytes({1, 3})),
+                         PngChunk("IDAT", Deflate(Bytes({0, 0x34}))), PngChunk("IEND", "")}));
+  ASSERT_TRUE(png.ok());
+  const auto& image = std::get<ByteImage>(png->pixels);
+  EXPECT_EQ(image.At(0, 0, 1), 255);
+  EXPECT_EQ(image.At(1, 0, 1), 255);
+}
+
 TEST(PngFormats, FloatValuesAreFractionsOfTheLargest) {
   const Result<PngImage> png = DecodePng(PngOf(PngHeader(3, 1, 8, 0), Bytes({0, 0, 51, 255})));
   ASSERT_TRUE(png.ok());
@@ -177,32 +182,67 @@ TEST(PngFormats, FloatValuesAreFractionsOfTheLargest) {
   EXPECT_EQ(image.At(2, 0), 1.0f);
 }
 
-// The reader's and the writer's filters are separate code; here they meet with all sizes of a
-// pixel.
-TEST(PngFilters, UnfilterRevertsFilter) {
-  std::vector<uint8_t> row(48), prior(48);
-  for (size_t i = 0; i < row.size(); ++i) {
-    row[i] = static_cast<uint8_t>(i * i * 7 + 3);
-    prior[i] = static_cast<uint8_t>(i * 91 + 200);
-  }
-  for (const int step : {1, 2, 3, 4, 6, 8}) {
+// Every filter with every size of a pixel, above another row and without one.
+TEST(PngFilters, AreUndoneForAllSizesOfAPixel) {
+  for (const Format& format : kFormats) {
+    if (format.depth < 8 || format.colour == 3) continue;
+    const auto step = static_cast<size_t>(format.samples * format.depth / 8);
     for (int filter = 0; filter <= 4; ++filter) {
-      std::vector<uint8_t> bytes(row.size());
-      FilterRow(static_cast<PngFilter>(filter), step, row.data(), prior.data(), row.size(),
-                bytes.data());
-      UnfilterRow(static_cast<PngFilter>(filter), step, bytes.data(), prior.data(), row.size());
-      EXPECT_EQ(bytes, row) << filter << " with " << step;
+      std::string prior, row;
+      for (size_t i = 0; i < 8 * step; ++i) {
+        prior.push_back(static_cast<char>(i * 91 + 200));
+        row.push_back(static_cast<char>(i * i * 7 + 3));
+      }
+      const Result<PngImage> png =
+          DecodePng(PngOf(PngHeader(8, 2, format.depth, format.colour),
+                          Filtered(filter, step, prior, std::string(8 * step, '\0')) +
+                              Filtered(filter, step, row, prior)));
+      ASSERT_TRUE(png.ok()) << png.error().message;
+      std::string bytes;
+      if (png->IsWords()) {
+        for (const uint16_t word : std::get<WordImage>(png->pixels).Samples()) {
+          bytes.push_back(static_cast<char>(word >> 8));
+          bytes.push_back(static_cast<char>(word));
+        }
+      } else {
+        for (const uint8_t byte : std::get<ByteImage>(png->pixels).Samples()) {
+          bytes.push_back(static_cast<char>(byte));
+        }
+      }
+      EXPECT_EQ(bytes, prior + row) << filter << " with " << step;
     }
   }
 }
 
-// Left 10, above 20, above left 12: the estimate 18 is nearest to 20.
+/// The predictor in the words of the standard.
+int PaethByTheStandard(int a, int b, int c) {
+  const int p = a + b - c;
+  const int pa = std::abs(p - a), pb = std::abs(p - b), pc = std::abs(p - c);
+  if (pa <= pb && pa <= pc) return a;
+  return pb <= pc ? b : c;
+}
+
+// A second pixel of difference 0 is the prediction itself; the first one, whose left neighbours
+// count as 0, is predicted by the one above it. The rows come in pairs: neighbours, prediction.
 TEST(PngFilters, PaethPredictsTheNearestNeighbour) {
-  const uint8_t prior[] = {12, 20};
-  uint8_t row[] = {static_cast<uint8_t>(10 - 12), 5};
-  UnfilterRow(PngFilter::kPaeth, 1, row, prior, 2);
-  EXPECT_EQ(row[0], 10);
-  EXPECT_EQ(row[1], 25);
+  for (int corner = 0; corner < 256; corner += 15) {
+    std::string rows;
+    for (int left = 0; left < 256; ++left) {
+      for (int above = 0; above < 256; ++above) {
+        rows += Bytes({0, corner, above, 4, left - corner, 0});
+      }
+    }
+    const Result<PngImage> png = DecodePng(PngOf(PngHeader(2, 2 * 256 * 256, 8, 0), rows));
+    ASSERT_TRUE(png.ok()) << png.error().message;
+    const auto& image = std::get<ByteImage>(png->pixels);
+    for (int left = 0; left < 256; ++left) {
+      for (int above = 0; above < 256; ++above) {
+        ASSERT_EQ(image.At(1, 2 * (256 * left + above) + 1),
+                  PaethByTheStandard(left, above, corner))
+            << left << " " << above << " " << corner;
+      }
+    }
+  }
 }
 
 }  // namespace

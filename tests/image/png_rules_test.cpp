@@ -69,6 +69,23 @@ TEST(PngRules, WrongChecksumOfThePixelsIsAnError) {
             "the picture data is damaged or cut off");
 }
 
+// All pixels are there, but nothing says that they are right.
+TEST(PngRules, MissingChecksumOfThePixelsIsAnError) {
+  const std::string stream = Deflate(kScanlines);
+  for (size_t cut = 1; cut <= 4; ++cut) {
+    EXPECT_EQ(
+        ErrorOf(PngFile({kHeader, PngChunk("IDAT", stream.substr(0, stream.size() - cut)), kEnd})),
+        "the picture data is damaged or cut off");
+  }
+}
+
+// libspng by itself refuses the picture for a profile that does not unpack.
+TEST(PngRules, FaultsOfAncillaryChunksAreIgnored) {
+  EXPECT_THAT(WarningsOf(PngFile({kHeader, PngChunk("iCCP", Bytes({'a', 0, 0, 1, 2, 3, 4})),
+                                  PngChunk("gAMA", ""), PngChunk("zTXt", "x"), kData, kEnd})),
+              IsEmpty());
+}
+
 TEST(PngRules, ChecksumOfAnAncillaryChunkIsNotLookedAt) {
   EXPECT_THAT(WarningsOf(PngFile({kHeader, Damaged(PngChunk("tEXt", "a\0b")), kData,
                                   Damaged(PngChunk("tIME", "1234567")), kEnd})),
@@ -86,15 +103,20 @@ TEST(PngRules, TooLittleDataIsAnError) {
             "the picture data is damaged or cut off");
   EXPECT_EQ(ErrorOf(PngFile({kHeader, kEnd})), "there is no picture data");
   EXPECT_EQ(ErrorOf(PngFile({kHeader})), "there is no picture data");
-  EXPECT_EQ(ErrorOf(PngFile({})), "the file ends before the chunk 'IHDR'");
+  EXPECT_EQ(ErrorOf(PngFile({})), "the header is wrong: end of stream");
 }
 
 TEST(PngRules, HeaderThatPromisesMoreThanTheFileCanHoldIsAnErrorBeforeMemoryIsTaken) {
   EXPECT_EQ(ErrorOf(PngFile({PngHeader(40000, 40000, 8, 0), kData, kEnd})),
             "there is too little data for a picture of this size");
-  EXPECT_EQ(ErrorOf(PngFile({PngHeader(0x7fffffff, 0x7fffffff, 16, 6), kData, kEnd})),
-            "a picture of 2147483647 x 2147483647 pixels with 8 bytes each is beyond the limit of "
+  EXPECT_EQ(ErrorOf(PngFile({PngHeader(1 << 20, 0x7fffffff, 16, 6), kData, kEnd})),
+            "a picture of 1048576 x 2147483647 pixels with 8 bytes each is beyond the limit of "
             "2147483648 bytes");
+  const Result<PngImage> widest =
+      DecodePng(PngFile({PngHeader(0x7fffffff, 0x7fffffff, 16, 6), kData, kEnd}));
+  ASSERT_FALSE(widest.ok());
+  EXPECT_EQ(widest.error().message, "the rows of the picture are too long");
+  EXPECT_EQ(widest.error().code, ErrorCode::kResources);
 }
 
 TEST(PngRules, LimitOfMemoryIsALackOfResources) {
@@ -106,28 +128,27 @@ TEST(PngRules, LimitOfMemoryIsALackOfResources) {
 }
 
 TEST(PngRules, BadFilterIsAnError) {
-  EXPECT_EQ(ErrorOf(PngOf(kHeader, Bytes({0, 10, 20, 5, 30, 40}))), "5 is not a filter (0 to 4)");
+  EXPECT_EQ(ErrorOf(PngOf(kHeader, Bytes({0, 10, 20, 5, 30, 40}))),
+            "the pixels are wrong: invalid scanline filter");
 }
 
 TEST(PngRules, BadHeaderIsAnError) {
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(0, 2, 8, 0), "")), "a picture of 0 x 2 pixels is not possible");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(0, 2, 8, 0), "")), "the header is wrong: invalid image width");
   EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 0x80000000, 8, 0), "")),
-            "a picture of 2 x 2147483648 pixels is not possible");
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 8, 1), "")), "1 is not a colour type (0, 2, 3, 4 or 6)");
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 3, 0), "")),
-            "a depth of 3 bits does not go with colour type 0");
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 16, 3), "")),
-            "a depth of 16 bits does not go with colour type 3");
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 4, 2), "")),
-            "a depth of 4 bits does not go with colour type 2");
-  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 8, 0, 2), "")), "2 is not an interlace method (0 or 1)");
+            "the header is wrong: invalid image height");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 8, 1), "")), "the header is wrong: invalid color type");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 3, 0), "")), "the header is wrong: invalid bit depth");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 16, 3), "")), "the header is wrong: invalid bit depth");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 4, 2), "")), "the header is wrong: invalid bit depth");
+  EXPECT_EQ(ErrorOf(PngOf(PngHeader(2, 2, 8, 0, 2), "")),
+            "the header is wrong: invalid interlace method");
   const std::string size = Bytes({0, 0, 0, 2, 0, 0, 0, 2});
   EXPECT_EQ(ErrorOf(PngFile({PngChunk("IHDR", size + Bytes({8, 0, 1, 0, 0})), kData, kEnd})),
-            "1 is not a compression method (0)");
+            "the header is wrong: invalid compression method");
   EXPECT_EQ(ErrorOf(PngFile({PngChunk("IHDR", size + Bytes({8, 0, 0, 7, 0})), kData, kEnd})),
-            "7 is not a filter method (0)");
+            "the header is wrong: invalid filter method");
   EXPECT_EQ(ErrorOf(PngFile({PngChunk("IHDR", "short"), kData, kEnd})),
-            "the chunk 'IHDR' has 5 bytes instead of 13");
+            "the header is wrong: invalid IHDR chunk size");
 }
 
 TEST(PngRules, BadChunkLengthIsAnError) {
@@ -142,7 +163,9 @@ TEST(PngRules, BadChunkLengthIsAnError) {
 
 TEST(PngRules, ChunksOutOfOrderAreErrors) {
   EXPECT_EQ(ErrorOf(PngFile({kData, kHeader, kEnd})),
-            "the file does not begin with the chunk 'IHDR'");
+            "the header is wrong: invalid IHDR chunk size");
+  EXPECT_EQ(ErrorOf(PngFile({PngChunk("TEXT", "13 bytes long"), kHeader, kData, kEnd})),
+            "the header is wrong: missing IHDR chunk");
   EXPECT_EQ(ErrorOf(PngFile({kHeader, kHeader, kData, kEnd})), "the chunk 'IHDR' is given twice");
   EXPECT_EQ(ErrorOf(PngFile({kHeader, kData, PngChunk("tEXt", "a"), kData, kEnd})),
             "the 'IDAT' chunks do not follow each other");
@@ -178,6 +201,8 @@ TEST(PngRules, SurplusDataIsAWarning) {
   EXPECT_THAT(WarningsOf(PngOf(kHeader, kScanlines + "more")),
               ElementsAre("there is more data than the picture needs"));
   EXPECT_THAT(WarningsOf(PngFile({kHeader, PngChunk("IDAT", Deflate(kScanlines) + "x"), kEnd})),
+              ElementsAre("there is more data than the picture needs"));
+  EXPECT_THAT(WarningsOf(PngFile({kHeader, kData, PngChunk("IDAT", "x"), kEnd})),
               ElementsAre("there is more data than the picture needs"));
   EXPECT_THAT(WarningsOf(PngFile({kHeader, kData, kEnd, "tail"})),
               ElementsAre("4 bytes after the end of the picture are not used"));

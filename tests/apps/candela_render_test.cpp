@@ -1,0 +1,224 @@
+// candela render, run as a user does.
+
+#include <nlohmann/json.hpp>
+
+#include "tests/apps/programs.h"
+
+namespace candela::testing_support {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class CandelaRenderTest : public ProgramTest {
+ protected:
+  /// Renders 40 x 30 pixels of the scene with more arguments.
+  ProgramEnd Render(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "--size", "40", "30"});
+    return Candela(arguments);
+  }
+  /// The fingerprint of such a picture.
+  size_t Rendered(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"-o", "o.exr"});
+    const ProgramEnd end = Render(all);
+    EXPECT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.out, "");
+    return Fingerprint("o.exr");
+  }
+  /// Lit by the background alone: without highlights, which paths do not know.
+  void UseDiffuseScene() const {
+    Put(folder_ / "scene.txt",
+        "Camera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }\n"
+        "Background { color 1 0.5 0.25 ambient_light 0 0 0 }\n"
+        "Materials { Material { diffuse 0.8 0.8 0.8 } }\n"
+        "Scene { Node { Component<Material> { index 0 } Component<Object> { type sphere radius 1 } "
+        "}\n"
+        "  Node { Component<Material> { index 0 }\n"
+        "    Component<Object> { type plane normal 0 1 0 offset -1 } } }\n");
+  }
+  void ExpectUsageError(const std::vector<std::string>& arguments, const std::string& message) {
+    ExpectRefusal(Render(arguments), 2, "candela render: error: " + message);
+  }
+};
+
+TEST_F(CandelaRenderTest, UsualSizeIsEightHundred) {
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "o.png"}).status, 0);
+  EXPECT_EQ(Picture("o.png").Width(), 800);
+  EXPECT_EQ(Picture("o.png").Height(), 800);
+}
+
+// With the same flags the two programs are one.
+TEST_F(CandelaRenderTest, GivesThePictureOfTheCourseProgram) {
+  const std::vector<std::string> course[] = {
+      {"-bounces", "3", "-shadows"}, {"-jitter"}, {"-jitter", "-filter"}, {"-stretch"}};
+  const std::vector<std::string> modern[] = {
+      {"--bounces=3", "--shadows"}, {"--jitter"}, {"--jitter", "--filter", "tent"}, {"--stretch"}};
+  for (size_t i = 0; i < std::size(course); ++i) {
+    std::vector<std::string> arguments = course[i];
+    arguments.insert(arguments.end(),
+                     {"-input", "scene.txt", "-size", "40", "30", "-output", "course.exr"});
+    EXPECT_EQ(Assignment4(arguments).status, 0);
+    EXPECT_EQ(Rendered(modern[i]), Fingerprint("course.exr")) << i;
+  }
+}
+
+TEST_F(CandelaRenderTest, SamplesFiltersAndSeedsShow) {
+  const std::vector<size_t> pictures = {Rendered({}),
+                                        Rendered({"--samples", "4"}),
+                                        Rendered({"--samples", "4", "--seed", "1"}),
+                                        Rendered({"--samples", "4", "--filter", "tent"}),
+                                        Rendered({"--samples", "4", "--filter", "gaussian"}),
+                                        Rendered({"--samples", "4", "--filter", "mitchell"}),
+                                        Rendered({"--pixel-grid", "centres"})};
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " and " << j;
+  }
+  EXPECT_EQ(Rendered({"--samples", "1"}), pictures[0]);
+  EXPECT_EQ(Rendered({"--samples", "4", "--filter", "box"}), pictures[1]);
+  EXPECT_EQ(Rendered({"--filter", "tent"}), Rendered({"--filter", "tent", "--samples", "16"}));
+}
+
+TEST_F(CandelaRenderTest, PathsHaveUsualValuesOfTheirOwn) {
+  UseDiffuseScene();
+  const size_t usual = Rendered({"--integrator", "path"});
+  EXPECT_EQ(usual, Rendered({"--integrator", "path", "--samples", "64", "--pixel-grid", "centres",
+                             "--filter", "box", "--bounces", "2147483647"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "path", "--samples", "32"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "path", "--pixel-grid", "corners"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "path", "--bounces", "1"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "path", "--seed", "1"}));
+  EXPECT_NE(usual, Rendered({"--pixel-grid", "centres", "--samples", "64"}));
+}
+
+TEST_F(CandelaRenderTest, ThreadsChangeNothing) {
+  const size_t one = Rendered({"--threads", "1", "--samples", "4", "--bounces", "2"});
+  EXPECT_EQ(Rendered({"--threads", "2", "--samples", "4", "--bounces", "2"}), one);
+  EXPECT_EQ(Rendered({"--threads", "7", "--samples", "4", "--bounces", "2"}), one);
+}
+
+TEST_F(CandelaRenderTest, ACropIsThatPartOfTheWhole) {
+  EXPECT_EQ(Render({"-o", "whole.exr", "--samples", "4"}).status, 0);
+  EXPECT_EQ(Render({"-o", "part.exr", "--samples", "4", "--crop", "10", "5", "31", "30"}).status,
+            0);
+  const Image whole = Picture("whole.exr"), part = Picture("part.exr");
+  ASSERT_EQ(part.Width(), 21);
+  ASSERT_EQ(part.Height(), 25);
+  for (int y = 0; y < part.Height(); ++y) {
+    for (int x = 0; x < part.Width(); ++x) {
+      for (int c = 0; c < 3; ++c) ASSERT_EQ(part.At(x, y, c), whole.At(x + 10, y + 5, c));
+    }
+  }
+}
+
+TEST_F(CandelaRenderTest, CropsMapsToo) {
+  EXPECT_EQ(Render({"--normals", "n.pfm", "--depth", "0", "9", "d.png"}).status, 0);
+  EXPECT_EQ(Render({"--normals", "m.pfm", "--crop", "3", "4", "5", "6"}).status, 0);
+  EXPECT_EQ(Picture("m.pfm").At(0, 0, 1), Picture("n.pfm").At(3, 4, 1));
+  EXPECT_EQ(Picture("m.pfm").Width(), 2);
+}
+
+TEST_F(CandelaRenderTest, PngsHaveEightOrSixteenBits) {
+  // The bit depth is the byte after the sizes in the first chunk.
+  constexpr size_t kDepthByte = 24;
+  EXPECT_EQ(Render({"-o", "o.png"}).status, 0);
+  EXPECT_EQ(Bytes("o.png")[kDepthByte], 8);
+  EXPECT_EQ(Render({"-o", "o.png", "--png-bits", "16"}).status, 0);
+  EXPECT_EQ(Bytes("o.png")[kDepthByte], 16);
+}
+
+TEST_F(CandelaRenderTest, ExplainsAPixelOnStdout) {
+  const ProgramEnd end = Render({"--pixel", "20", "15", "--bounces", "2"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err, "");
+  EXPECT_THAT(end.out, HasSubstr("hits the sphere of line 11"));
+  EXPECT_THAT(end.out, HasSubstr("reflects"));
+  EXPECT_THAT(folder_.Names(), ElementsAre("scene.txt"));
+  UseDiffuseScene();
+  ExpectRefusal(Render({"--pixel", "20", "15", "--integrator", "path"}), 2,
+                "candela render: error: the integrator 'path' cannot explain a pixel");
+}
+
+TEST_F(CandelaRenderTest, StatisticsGoToStderrAndToAFile) {
+  const ProgramEnd end = Render({"-o", "o.png", "--stats", "--stats-json", "s.json", "--threads",
+                                 "2", "--shadows", "--bounces", "1"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.out, "");
+  EXPECT_THAT(end.err, HasSubstr("scene.txt: 40 x 30 pixels, 1 samples each, whitted, 2 threads"));
+  const auto json = nlohmann::json::parse(Bytes("s.json"));
+  EXPECT_EQ(json["rays"]["camera"], 1200);
+  EXPECT_GT(json["rays"]["reflection"], 0);
+  EXPECT_GT(json["rays"]["shadow"], 0);
+  EXPECT_GT(json["peak_bytes"], 0);
+  EXPECT_GT(json["seconds"]["render"], 0);
+  EXPECT_THAT(folder_.Names(), ElementsAre("o.png", "s.json", "scene.txt"));
+}
+
+TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
+  ExpectRefusal(Candela({"render", "-o", "o.png"}), 2, "candela render: error: SCENE is missing");
+  ExpectUsageError({}, "nothing to do: give --output FILE, --normals FILE or --depth MIN MAX FILE");
+  ExpectUsageError({"-o"}, "--output: expects FILE, found nothing");
+  ExpectUsageError({"-o", "o.png", "--sampels", "4"},
+                   "unknown option '--sampels' (did you mean '--samples'?)");
+  ExpectUsageError({"-o", "o.png", "second.txt"},
+                   "unexpected argument 'second.txt' after --output "
+                   "FILE");
+  ExpectUsageError({"-o", "o.png", "--filter"}, "--filter: expects NAME, found nothing");
+  ExpectUsageError(
+      {"-o", "o.png", "--filter", "gausian"},
+      "--filter: expects 'box', 'tent', 'gaussian' or 'mitchell', found 'gausian' (did "
+      "you mean 'gaussian'?)");
+  ExpectUsageError({"-o", "o.png", "--integrator", "wihtted"},
+                   "--integrator: expects 'whitted' or 'path', found 'wihtted' (did you mean "
+                   "'whitted'?)");
+  ExpectUsageError({"-o", "o.png", "--samples", "0"},
+                   "--samples: expects a whole number from 1 to 2147483647, found '0'");
+  ExpectUsageError({"-o", "o.png", "--threads", "0"},
+                   "--threads: expects a whole number from 1 to 1024, found '0'");
+  ExpectUsageError({"-o", "o.png", "--seed", "4294967296"},
+                   "--seed: expects a whole number from 0 to 4294967295, found '4294967296'");
+  ExpectUsageError({"-o", "o.png", "--png-bits", "12"},
+                   "--png-bits: expects '8' or '16', found '12'");
+  ExpectUsageError({"-o", "o.png", "--pixel-grid", "centers"},
+                   "--pixel-grid: expects 'corners' or 'centres', found 'centers' (did you mean "
+                   "'centres'?)");
+  EXPECT_THAT(folder_.Names(), ElementsAre("scene.txt"));
+}
+
+TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
+  ExpectUsageError({"-o", "o.png", "--jitter", "--samples", "4"},
+                   "--jitter and --samples: give one of them");
+  ExpectUsageError({"-o", "o.png", "--jitter", "--filter", "box"},
+                   "--jitter goes with --filter tent only; use --samples with other filters");
+  ExpectUsageError({"-o", "o.png", "--crop", "5", "0", "5", "9"},
+                   "--crop: X0 has to be less than X1, and Y0 less than Y1");
+  ExpectUsageError({"-o", "o.png", "--crop", "5", "0", "41", "9"},
+                   "--crop: reaches beyond the picture of 40 x 30 pixels");
+  ExpectUsageError({"--pixel", "40", "0"}, "--pixel: lies outside the picture of 40 x 30 pixels");
+  ExpectUsageError({"--pixel", "4", "0", "-o", "o.png"},
+                   "--pixel renders nothing, so --output cannot be given");
+  ExpectUsageError({"-o", "a.json", "--stats-json", "a.json"},
+                   "--output and --stats-json both write 'a.json'");
+  ExpectUsageError({"-o", "o.png", "--stats-json", "scene.txt"},
+                   "--stats-json: 'scene.txt' is the scene, which would be overwritten");
+}
+
+TEST_F(CandelaRenderTest, AFileOfStatisticsThatCannotBeWrittenIsRefusedFirst) {
+  const ProgramEnd end = Render({"-o", "o.png", "--stats-json", "missing/s.json"});
+  EXPECT_EQ(end.status, 3);
+  EXPECT_THAT(end.err, testing::StartsWith("candela render: error: 'missing/s.json': "));
+  EXPECT_THAT(folder_.Names(), ElementsAre("scene.txt"));
+}
+
+TEST_F(CandelaRenderTest, RefusesACropThatWouldNotFitButNotASmallPartOfALargePicture) {
+  const std::vector<std::string> huge = {"render", "scene.txt",  "-o",        "o.png",
+                                         "--size", "2000000000", "2000000000"};
+  EXPECT_EQ(Candela(huge).status, 4);
+  std::vector<std::string> part = huge;
+  part.insert(part.end(), {"--crop", "1000000000", "1000000000", "1000000020", "1000000010"});
+  EXPECT_EQ(Candela(part).status, 0);
+  EXPECT_EQ(Picture("o.png").Width(), 20);
+}
+
+}  // namespace
+}  // namespace candela::testing_support

@@ -1,0 +1,50 @@
+#include "tests/determinism/test_cases.h"
+
+#include <gtest/gtest.h>
+
+#include "film/pixel_filter.h"
+#include "integrators/registry.h"
+#include "tests/determinism/random_scene.h"
+#include "tests/support/render_scene.h"
+
+namespace candela::determinism {
+
+Subject MakeSubject(const std::string& integrator, uint32_t seed) {
+  Subject subject;
+  subject.scene = testing_support::SceneOfText(integrator == "path" ? RandomDiffuseScene(seed)
+                                                                    : RandomScene(seed));
+  if (!subject.scene) return subject;
+  IntegratorOptions options;
+  options.shadows = true;
+  if (integrator != "path") options.bounces = 3;
+  auto created = CreateIntegrator(integrator, *subject.scene, options);
+  if (!created) {
+    ADD_FAILURE() << created.error().message;
+    return subject;
+  }
+  subject.integrator = std::move(*created);
+  return subject;
+}
+
+std::vector<Placement> Placements() {
+  std::vector<Placement> all = {
+      {"centre", SamplePattern::kCentre, 1},
+      {"strata", SamplePattern::kStrata, kStrataSamples},
+      {"strata_tent", SamplePattern::kStrataTent, kStrataSamples},
+  };
+  for (const PixelFilterEntry& filter : PixelFilters()) {
+    const std::string name(filter.name);
+    all.push_back({"filter_" + name, SamplePattern::kFilter, 5, name});
+  }
+  return all;
+}
+
+RenderOptions OptionsFor(const Placement& placement, int width, int height) {
+  RenderOptions options = testing_support::WholePicture(width, height);
+  options.pattern = placement.pattern;
+  options.samples = placement.samples;
+  options.filter = placement.filter;
+  return options;
+}
+
+}  // namespace candela::determinism

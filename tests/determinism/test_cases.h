@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integrators/integrator.h"
+#include "render/render_options.h"
+#include "scene/scene.h"
+
+namespace candela::determinism {
+
+/// A scene with an integrator for it.
+struct Subject {
+  std::unique_ptr<Scene> scene;
+  std::unique_ptr<Integrator> integrator;
+};
+
+/// `whitted` with shadows and three bounces, or `path`, on a random scene that it takes.
+Subject MakeSubject(const std::string& integrator, uint32_t seed);
+
+/// A way to place samples, with a name for the test.
+struct Placement {
+  std::string name;
+  SamplePattern pattern;
+  uint32_t samples;
+  std::string filter = "box";
+};
+
+/// All patterns, and each row of the table of filters.
+std::vector<Placement> Placements();
+
+/// Everything else as `WholePicture` has it.
+RenderOptions OptionsFor(const Placement& placement, int width, int height);
+
+}  // namespace candela::determinism

@@ -29,7 +29,8 @@ Image ToImage(const Film& film) {
 
 Result<std::string> EncodeFilm(const Film& film, ImageFormat format, const EncodeOptions& options) {
   if (format == ImageFormat::kPng && options.png_bits == 8) {
-    return EncodePng(Develop<uint8_t>(film, QuantiseToByte));
+    // In a lambda, which is expanded in place where a pointer to the function would be called.
+    return EncodePng(Develop<uint8_t>(film, [](float value) { return QuantiseToByte(value); }));
   }
   return EncodeImage(ToImage(film), format, options);
 }

@@ -122,7 +122,7 @@ class RenderRun {
   Result<void> RenderImage(const Integrator& integrator) {
     RenderJob job(integrator, request_.render);
     const CancelToken never;
-    const auto done = Timed(&statistics_.seconds.render, [&] {
+    auto done = Timed(&statistics_.seconds.render, [&] {
       const ProgressReporter progress(job, request_.quiet);
       return job.Run(never);
     });

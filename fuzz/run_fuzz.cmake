@@ -9,8 +9,11 @@ file(MAKE_DIRECTORY ${WORK}/found ${WORK}/crashes)
 if(MAX_LENGTH)
   set(length -max_len=${MAX_LENGTH})
 endif()
+if(EXISTS ${WORDS})
+  set(words -dict=${WORDS})
+endif()
 execute_process(
-  COMMAND ${PROGRAM} -runs=${RUNS} -seed=1 ${length} -timeout=10 -rss_limit_mb=2048
+  COMMAND ${PROGRAM} -runs=${RUNS} -seed=1 ${length} ${words} -timeout=10 -rss_limit_mb=2048
           -malloc_limit_mb=1024 -print_final_stats=1 -reload=0
           -artifact_prefix=${WORK}/crashes/ ${WORK}/found ${CORPUS}
   COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/text.h"
@@ -92,8 +93,9 @@ class ArgParser::Reader {
     if (option == nullptr) return UnknownOption(word);
     const std::string name = parser_.Spell(option->name);
     if (option->values.empty()) {
-      if (joined)
+      if (joined) {
         return UsageError(fmt::format("{}: takes no value, found {}", name, Quote(*joined)));
+      }
       *option->flag = option->given = true;
       return {};
     }

@@ -22,8 +22,4 @@ struct LoadedScene {
 /// errors.
 std::optional<LoadedScene> LoadSceneForUser(const std::filesystem::path& path);
 
-/// The files that the scene was made of, apart from the scene itself: meshes and the faces of its
-/// cube map.
-std::vector<std::filesystem::path> FilesOf(const SceneSpec& spec);
-
 }  // namespace candela

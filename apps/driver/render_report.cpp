@@ -33,8 +33,8 @@ std::string StatisticsToText(const RenderStatistics& statistics) {
   text += "rays\n" + Row("camera", rays.camera) + Row("reflection", rays.reflection) +
           Row("shadow", rays.shadow) + Row("total", rays.Total()) +
           Row("rate", statistics.RaysPerSecond() / 1e6, "Mrays/s");
-  text += "memory\n" + Row("scene", Mebibytes(statistics.scene_bytes), "MiB") +
-          Row("peak", Mebibytes(statistics.peak_bytes), "MiB");
+  text += "memory\n" + Row("scene", Mebibytes(statistics.scene_bytes), "MiB");
+  if (statistics.peak_bytes > 0) text += Row("peak", Mebibytes(statistics.peak_bytes), "MiB");
   if (statistics.dropped_samples > 0) {
     text += "samples\n" + Row("dropped", statistics.dropped_samples);
   }

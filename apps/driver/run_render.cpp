@@ -23,6 +23,7 @@
 #include "render/render_first_hits.h"
 #include "render/render_job.h"
 #include "render/sample_placer.h"
+#include "scene/compile_scene.h"
 
 namespace candela {
 namespace {
@@ -84,7 +85,7 @@ class RenderRun {
     if (!loaded_) return Error{ErrorCode::kInput, {}};
     statistics_.seconds.load = loaded_->load_seconds;
     statistics_.seconds.build = loaded_->build_seconds;
-    for (const auto& input : FilesOf(loaded_->spec)) {
+    for (const auto& input : InputFiles(loaded_->spec)) {
       for (const auto& output : Outputs()) {
         if (!IsSameFile(input, output)) continue;
         return Error{ErrorCode::kUsage,

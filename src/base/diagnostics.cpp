@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "base/text.h"
@@ -22,6 +25,19 @@ void AddMoreLine(const std::string& file, size_t count, const char* what,
   const size_t more = count - Diagnostics::kMostPerFile;
   const std::string place = file.empty() ? "" : DisplayName(file) + ": ";
   lines->push_back(fmt::format("{}{} more {}{}", place, more, what, more == 1 ? "" : "s"));
+}
+
+/// What is wrong is found in passes over a scene; readers of the report go through its file once.
+std::vector<Diagnostic> InReadingOrder(std::vector<Diagnostic> all) {
+  std::map<std::string_view, size_t> ranks;  // of files, by their first diagnostic
+  for (const Diagnostic& each : all) ranks.emplace(FileName(each.where), ranks.size());
+  const auto key = [&](const Diagnostic& each) {
+    // Line 0 less one is the largest number: the file as a whole comes last.
+    return std::tuple(ranks.at(FileName(each.where)), each.where.line - 1, each.where.column);
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return key(a) < key(b); });
+  return all;
 }
 
 }  // namespace
@@ -62,7 +78,7 @@ bool Diagnostics::IsFull(const SourceLocation& file) const {
 
 std::vector<std::string> Diagnostics::Lines() const {
   std::vector<std::string> lines;
-  for (const Diagnostic& each : kept_) {
+  for (const Diagnostic& each : InReadingOrder(kept_)) {
     const std::string place = ToString(each.where);
     lines.push_back(
         CutTo(kLongestLine, fmt::format("{}{}{}: {}", place, place.empty() ? "" : ": ",

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/source_location.h"
@@ -29,6 +31,13 @@ class Diagnostics {
   void Warning(SourceLocation where, std::string text);
   void Append(const Diagnostics& other);
 
+  /// An error whose text is only made when it is going to be shown: a file may hold a million.
+  template <std::invocable MakeText>
+  void Error(SourceLocation where, const MakeText& make_text) {
+    std::string text = IsFull(where) ? std::string() : make_text();
+    Error(std::move(where), std::move(text));
+  }
+
   bool HasErrors() const { return error_count_ > 0; }
   size_t ErrorCount() const { return error_count_; }
   size_t WarningCount() const { return warning_count_; }
@@ -38,7 +47,8 @@ class Diagnostics {
   bool IsFull(const SourceLocation& file) const;
 
   /// One line each, "file:line:column: error: text", each under 500 characters and free of control
-  /// characters, followed by a line for each file that has more than is shown.
+  /// characters, followed by a line for each file that has more than is shown. File by file in the
+  /// order of their first trouble; in each by place, what concerns the whole file at the end.
   std::vector<std::string> Lines() const;
 
  private:

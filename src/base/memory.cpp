@@ -1,7 +1,5 @@
 #include "base/memory.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "base/number.h"
+#include "base/platform.h"
 
 namespace candela {
 namespace {
@@ -94,13 +93,7 @@ uint64_t AvailableMemory() {
 }
 
 uint64_t PeakMemory() {
-  rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
-#ifdef __APPLE__
-  return static_cast<uint64_t>(usage.ru_maxrss);  // Bytes there, KiB elsewhere.
-#else
-  return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
-#endif
+  return platform::PeakMemory();
 }
 
 }  // namespace candela

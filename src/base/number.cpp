@@ -48,35 +48,45 @@ bool IsUnderflow(std::string_view text) {
   return !seen || leading < -exponent;
 }
 
+/// What a text says: no number, a finite one, or one that is too large for a finite T.
 template <class T>
-std::optional<T> ParseReal(std::string_view text) {
+struct Real {
+  enum { kNone, kFinite, kTooLarge } kind = kNone;
+  T value = 0;
+};
+
+template <class T>
+Real<T> ReadReal(std::string_view text) {
   text = WithoutPlus(text);
-  if (text.empty()) return std::nullopt;
+  if (text.empty()) return {};
   // Reject the words and hexadecimal forms that from_chars would take.
   const size_t first = text[0] == '-' ? 1 : 0;
-  if (first == text.size() || !(IsDigit(text[first]) || text[first] == '.')) return std::nullopt;
+  if (first == text.size() || !(IsDigit(text[first]) || text[first] == '.')) return {};
 
   T value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (end != text.data() + text.size() || error == std::errc::invalid_argument) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {
-    if (!IsUnderflow(text)) return std::nullopt;
-    return T{0};
-  }
-  if (!std::isfinite(value)) return std::nullopt;
-  return value;
+  if (end != text.data() + text.size() || error == std::errc::invalid_argument) return {};
+  if (error != std::errc::result_out_of_range) return {Real<T>::kFinite, value};
+  return {IsUnderflow(text) ? Real<T>::kFinite : Real<T>::kTooLarge, T{0}};
 }
 
 }  // namespace
 
 std::optional<float> ParseFloat(std::string_view text) {
-  return ParseReal<float>(text);
+  const auto real = ReadReal<float>(text);
+  if (real.kind != Real<float>::kFinite) return std::nullopt;
+  return real.value;
 }
 
 std::optional<double> ParseDouble(std::string_view text) {
-  const auto value = ParseReal<double>(text);
-  if (!value || !std::isfinite(static_cast<float>(*value))) return std::nullopt;
-  return value;
+  const auto real = ReadReal<double>(text);
+  const bool fits = std::isfinite(static_cast<float>(real.value));
+  if (real.kind != Real<double>::kFinite || !fits) return std::nullopt;
+  return real.value;
+}
+
+bool IsTooLarge(std::string_view text) {
+  return ReadReal<float>(text).kind == Real<float>::kTooLarge;
 }
 
 std::optional<int64_t> ParseInteger(std::string_view text) {

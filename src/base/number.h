@@ -14,6 +14,9 @@ std::optional<float> ParseFloat(std::string_view text);
 /// The same in double precision, for values that are composed before they are rounded.
 std::optional<double> ParseDouble(std::string_view text);
 
+/// True for a number of that grammar that `ParseFloat` refuses because it is too large.
+bool IsTooLarge(std::string_view text);
+
 /// Reads a decimal whole number with an optional sign that fits in 64 bits.
 std::optional<int64_t> ParseInteger(std::string_view text);
 

@@ -1,8 +1,7 @@
 #include "base/signals.h"
 
-#include <unistd.h>
-
 #include <csignal>
+#include <cstdlib>
 
 #include "base/files.h"
 #include "base/terminal.h"
@@ -11,20 +10,29 @@ namespace candela {
 namespace {
 
 extern "C" void EndProcess(int signal) {
-  // Only async-signal-safe calls: unlink, write and _exit.
+  // Only async-signal-safe calls: unlink, write and _Exit.
   RemoveUnfinishedOutput();
   EndOpenLine();
-  _exit(128 + signal);
+  std::_Exit(128 + signal);
+}
+
+/// A signal that the parent chose to ignore (nohup) stays ignored.
+void EndProcessOn(int signal) {
+  if (std::signal(signal, EndProcess) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace
 
 void ExitOnStopSignals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    // A signal that the parent chose to ignore (nohup) stays ignored.
-    if (std::signal(signal, EndProcess) == SIG_IGN) std::signal(signal, SIG_IGN);
-  }
+  EndProcessOn(SIGINT);
+  EndProcessOn(SIGTERM);
+  // Standard C++ and Windows know only those two.
+#ifdef SIGHUP
+  EndProcessOn(SIGHUP);
+#endif
+#ifdef SIGPIPE
   std::signal(SIGPIPE, SIG_IGN);
+#endif
 }
 
 }  // namespace candela

@@ -1,11 +1,10 @@
 #include "base/terminal.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cstdlib>
 #include <string_view>
+
+#include "base/platform.h"
 
 namespace candela {
 namespace {
@@ -22,13 +21,12 @@ static_assert(std::atomic<bool>::is_always_lock_free, "signal handlers use it");
 
 bool IsErrorTerminal() {
   const std::string_view type = Variable("TERM");
-  return ::isatty(STDERR_FILENO) != 0 && !type.empty() && type != "dumb";
+  return platform::IsErrorTerminal() && !type.empty() && type != "dumb";
 }
 
 int ErrorTerminalColumns() {
-  winsize size{};
-  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
-  return size.ws_col;
+  const int columns = platform::ErrorTerminalColumns();
+  return columns > 0 ? columns : 80;
 }
 
 void MarkOpenLine(bool is_open) {
@@ -36,9 +34,7 @@ void MarkOpenLine(bool is_open) {
 }
 
 void EndOpenLine() noexcept {
-  if (!line_is_open.exchange(false)) return;
-  // When even this fails there is nobody left to tell.
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, "\n", 1);
+  if (line_is_open.exchange(false)) platform::EndErrorTerminalLine();
 }
 
 bool AreColoursUnwanted() {

@@ -33,6 +33,12 @@ size_t Utf8Length(std::string_view text, size_t at) {
   return length;
 }
 
+bool IsSameButForCase(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
 /// Edit distance where a swap of neighbours counts one (optimal string alignment).
 size_t Distance(std::string_view a, std::string_view b) {
   std::vector<size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
@@ -89,6 +95,9 @@ std::optional<std::string_view> Nearest(std::string_view word,
   std::optional<std::string_view> nearest;
   size_t least = word.size() <= 2 ? 1 : std::min<size_t>(3, word.size() / 3 + 1);
   for (const std::string_view candidate : candidates) {
+    if (IsSameButForCase(word, candidate)) return candidate;
+    const size_t longer = std::max(word.size(), candidate.size());
+    if (longer - std::min(word.size(), candidate.size()) > least) continue;
     const size_t distance = Distance(word, candidate);
     if (distance < least || (distance == least && !nearest && distance < candidate.size())) {
       least = distance;
@@ -103,10 +112,10 @@ std::string DidYouMean(std::string_view word, std::span<const std::string_view> 
   return nearest ? fmt::format(" (did you mean '{}'?)", *nearest) : std::string();
 }
 
-std::string ListOf(std::span<const std::string_view> words) {
+std::string ListOf(std::span<const std::string_view> words, std::string_view last) {
   std::string list;
   for (size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) list += i + 1 == words.size() ? " or " : ", ";
+    if (i > 0) list += i + 1 == words.size() ? fmt::format(" {} ", last) : ", ";
     list += fmt::format("'{}'", words[i]);
   }
   return list;

@@ -22,14 +22,15 @@ inline bool IsUtf8Continuation(char byte) {
 /// At most `size` bytes; a longer text ends in "..." and is never cut inside a UTF-8 sequence.
 std::string CutTo(size_t size, std::string text);
 
-/// The candidate that `word` probably meant: nearest in edit distance, if near enough to be likely.
+/// The candidate that `word` probably meant: the same but for upper and lower case, or nearest in
+/// edit distance, if near enough to be likely.
 std::optional<std::string_view> Nearest(std::string_view word,
                                         std::span<const std::string_view> candidates);
 
 /// " (did you mean 'x'?)", or nothing where no candidate is near.
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> candidates);
 
-/// "a, b or c" of quoted words, for messages that say what is accepted.
-std::string ListOf(std::span<const std::string_view> words);
+/// "'a', 'b' or 'c'": quoted words, for messages that say what is accepted.
+std::string ListOf(std::span<const std::string_view> words, std::string_view last = "or");
 
 }  // namespace candela

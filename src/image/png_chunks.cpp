@@ -1,6 +1,6 @@
-// Why the chunks are not left to libspng: it takes a second palette, data in several places and
-// bytes after the end in silence, knows no missing end unless asked for the chunks behind the
-// pixels, and refuses a picture for some faults of ancillary chunks that it should only leave out.
+// Why the chunks are not left to libspng: it takes a second palette, a transparency that does not
+// fit and bytes after the end in silence, tells a missing end or scattered data only to those who
+// ask for the chunks behind the pixels, and unpacks texts and profiles that nobody wants.
 #include "image/png_chunks.h"
 
 #include <fmt/format.h>

@@ -5,10 +5,7 @@
 namespace candela {
 
 std::unique_ptr<Light> AreaLight::Create(ParamReader* params, const LightContext& context) {
-  const Rgb radiance = params->Color("radiance", {1, 1, 1});
-  if (std::min({radiance.x, radiance.y, radiance.z}) < 0) {
-    params->Error(params->Where("radiance"), "'radiance' expects numbers that are not negative");
-  }
+  const Rgb radiance = params->NonNegativeColor("radiance", {1, 1, 1});
   if (!context.has_object) {
     params->Error(params->Where("type"),
                   "an area light needs an object in its node, to shine from");

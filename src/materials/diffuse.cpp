@@ -3,12 +3,7 @@
 namespace candela {
 
 std::unique_ptr<Material> DiffuseMaterial::Create(ParamReader* params) {
-  const Rgb albedo = params->Color("albedo", {0.5f, 0.5f, 0.5f});
-  if (std::min({albedo.x, albedo.y, albedo.z}) < 0 ||
-      std::max({albedo.x, albedo.y, albedo.z}) > 1) {
-    params->Error(params->Where("albedo"), "'albedo' expects numbers from 0 to 1");
-  }
-  return std::make_unique<DiffuseMaterial>(albedo);
+  return std::make_unique<DiffuseMaterial>(params->Albedo("albedo", {0.5f, 0.5f, 0.5f}));
 }
 
 void DiffuseMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {

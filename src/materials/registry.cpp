@@ -23,6 +23,8 @@ std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, Diagnostics* dia
   const MaterialEntry* entry = FindEntry<MaterialEntry>(kMaterials, spec, "material", diagnostics);
   if (!entry) return nullptr;
   ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  // The loader has taken these; a parameter that was meant as one of them is told so.
+  for (const std::string_view name : {"type", "name"}) params.Has(name);
   auto material = entry->create(&params);
   params.Finish();
   return material;

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "base/text.h"
@@ -20,9 +22,7 @@ class SceneCompiler {
 
   std::unique_ptr<Scene> Compile() {
     CompileBackground();
-    for (const MaterialSpec& material : spec_.materials) {
-      scene_->materials_.push_back(CreateMaterial(material.material, &diagnostics_));
-    }
+    CompileMaterials();
     CompileNodes();
     if (diagnostics_.HasErrors()) return nullptr;
     BuildTree();
@@ -39,6 +39,16 @@ class SceneCompiler {
         CubeMap::Load(spec_.folder / background.cube_map, background.cube_map_where, &diagnostics_);
   }
 
+  void CompileMaterials() {
+    for (const MaterialSpec& material : spec_.materials) {
+      if (!material.name.empty()) {
+        const auto index = static_cast<uint32_t>(scene_->materials_.size());
+        material_by_name_.try_emplace(material.name, index);
+      }
+      scene_->materials_.push_back(CreateMaterial(material.material, &diagnostics_));
+    }
+  }
+
   void CompileNodes() {
     std::vector<Mat4> world_from_node;
     world_from_node.reserve(spec_.nodes.size());
@@ -51,15 +61,24 @@ class SceneCompiler {
   }
 
   void CompileNode(const NodeSpec& node, const Mat4& world_from_node) {
-    uint32_t light = SceneObject::kNoLight;
-    if (node.light) {
-      const LightContext context{Transform(world_from_node), node.object.has_value()};
-      if (auto created = CreateLight(*node.light, context, &diagnostics_)) {
-        if (!created->IsDelta()) light = static_cast<uint32_t>(scene_->lights_.size());
-        scene_->lights_.push_back(std::move(created));
-      }
-    }
+    const uint32_t light = node.light ? CompileLight(node, world_from_node) : SceneObject::kNoLight;
     if (node.object) CompileObject(node, world_from_node, light);
+  }
+
+  /// The index of the node's light when it is the surface of the node's object, else kNoLight.
+  uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node) {
+    const LightContext context{Transform(world_from_node), node.object.has_value()};
+    auto light = CreateLight(*node.light, context, &diagnostics_);
+    if (!light) return SceneObject::kNoLight;
+    if (!IsFinite(context.world_from_node.Point({0, 0, 0}))) {
+      diagnostics_.Warning(node.light->where,
+                           "the light is left out: its place is too far away for single precision");
+      return SceneObject::kNoLight;
+    }
+    const auto index = static_cast<uint32_t>(scene_->lights_.size());
+    const bool is_surface = !light->IsDelta();
+    scene_->lights_.push_back(std::move(light));
+    return is_surface ? index : SceneObject::kNoLight;
   }
 
   void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light) {
@@ -75,8 +94,10 @@ class SceneCompiler {
     const auto object_from_world = InverseAffine(world_from_node);
     if (!object_from_world) {
       const bool has_own = node.transform_where.line != 0;
-      diagnostics_.Warning(has_own ? node.transform_where : spec.where,
-                           "the transform is singular; the object is left out");
+      diagnostics_.Warning(
+          has_own ? node.transform_where : spec.where,
+          "the object is left out: its transform is singular (it has no inverse in "
+          "single precision)");
       return;
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
@@ -84,30 +105,45 @@ class SceneCompiler {
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
   }
 
-  /// The index of the node's material; nothing, with an error, when there is no such material.
+  /// The index of the node's material; nothing when there is no such material, which is reported.
   std::optional<uint32_t> MaterialOf(const NodeSpec& node) {
     if (!node.material) return DefaultMaterial(node.object->where);
     const MaterialReference& reference = *node.material;
-    if (reference.name.empty()) {
-      const auto count = static_cast<int64_t>(spec_.materials.size());
-      if (reference.index >= 0 && reference.index < count) {
-        return static_cast<uint32_t>(reference.index);
-      }
-      diagnostics_.Error(reference.where,
-                         count == 0 ? "there are no materials"
-                                    : fmt::format("material {} is not in the list of 0 to {}",
-                                                  reference.index, count - 1));
-      return std::nullopt;
+    if (!reference.name.empty()) return MaterialNamed(reference);
+    if (!reference.index) return std::nullopt;
+
+    const auto count = static_cast<int64_t>(spec_.materials.size());
+    if (*reference.index >= 0 && *reference.index < count) {
+      return static_cast<uint32_t>(*reference.index);
     }
-    std::vector<std::string_view> names;
-    for (uint32_t i = 0; i < spec_.materials.size(); ++i) {
-      if (spec_.materials[i].name == reference.name) return i;
-      names.push_back(spec_.materials[i].name);
-    }
-    diagnostics_.Error(reference.where,
-                       fmt::format("there is no material named {}{}", Quote(reference.name),
-                                   DidYouMean(reference.name, names)));
+    ReportNoMaterial(reference.where, [&] {
+      const std::string list = count == 0   ? "the scene has none"
+                               : count == 1 ? "the scene has only material 0"
+                                            : fmt::format("the scene has 0 to {}", count - 1);
+      return fmt::format("there is no material {}: {}", *reference.index, list);
+    });
     return std::nullopt;
+  }
+
+  std::optional<uint32_t> MaterialNamed(const MaterialReference& reference) {
+    const auto found = material_by_name_.find(reference.name);
+    if (found != material_by_name_.end()) return found->second;
+    ReportNoMaterial(reference.where, [&] {
+      // Among more names than a person would read the search would take its time.
+      constexpr size_t kMost = 1000;
+      std::vector<std::string_view> names;
+      for (const auto& [name, index] : material_by_name_) {
+        if (names.size() < kMost) names.push_back(name);
+      }
+      return fmt::format("there is no material named {}{}", Quote(reference.name),
+                         DidYouMean(reference.name, names));
+    });
+    return std::nullopt;
+  }
+
+  template <class MakeText>
+  void ReportNoMaterial(const SourceLocation& where, const MakeText& make_text) {
+    if (!spec_.materials_are_damaged) diagnostics_.Error(where, make_text);
   }
 
   uint32_t DefaultMaterial(const SourceLocation& where) {
@@ -136,8 +172,18 @@ class SceneCompiler {
   const SceneSpec& spec_;
   Diagnostics& diagnostics_;
   std::unique_ptr<Scene> scene_;
+  std::map<std::string_view, uint32_t> material_by_name_;
   std::optional<uint32_t> default_material_;
 };
+
+std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
+  std::vector<std::filesystem::path> files = spec.files;
+  if (!spec.background.cube_map.empty()) {
+    const auto faces = CubeMap::FaceFiles(spec.folder / spec.background.cube_map);
+    files.insert(files.end(), faces.begin(), faces.end());
+  }
+  return files;
+}
 
 std::unique_ptr<Scene> CompileScene(const SceneSpec& spec, Diagnostics* diagnostics) {
   return SceneCompiler(spec, diagnostics).Compile();

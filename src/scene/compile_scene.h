@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "scene/scene.h"
@@ -8,8 +10,13 @@
 
 namespace candela {
 
+/// The files that a scene is made of: its own, its meshes, and the faces of its cube map. None of
+/// them may be an output.
+std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec);
+
 /// Builds what a description says: objects from the registries, transforms, textures, the search
-/// tree. What is wrong goes to `diagnostics`; null when there are errors.
+/// tree. What is wrong goes to `diagnostics`; null when it holds errors, also from loading. Of a
+/// description with errors it finds the further ones, so that one run shows them all.
 std::unique_ptr<Scene> CompileScene(const SceneSpec& spec, Diagnostics* diagnostics);
 
 }  // namespace candela

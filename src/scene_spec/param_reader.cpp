@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/number.h"
@@ -23,6 +24,13 @@ bool IsNonNegative(float value) {
 bool IsAngle(float value) {
   return value > 0 && value < 180;
 }
+bool IsFraction(float value) {
+  return value >= 0 && value <= 1;
+}
+
+bool IsOneOf(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 }  // namespace
 
@@ -34,136 +42,150 @@ void ParamReader::Error(SourceLocation where, std::string text) {
   diagnostics_->Error(std::move(where), std::move(text));
 }
 
-const Param* ParamReader::Ask(std::string_view name, bool is_required) {
-  if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);
-  const Param* param = params_.Find(name);
-  if (!param && is_required) Error(where_, fmt::format("{} needs '{}'", Quote(object_), name));
-  return param;
-}
-
-void ParamReader::Mismatch(const Param& param, const char* expected) {
-  // Point at the first word that is not a number; when all are, their count is the mistake.
-  for (const ParamWord& word : param.words) {
-    if (!ParseFloat(word.text)) {
-      Error(word.where,
-            fmt::format("'{}' expects {}, found {}", param.name, expected, Quote(word.text)));
-      return;
-    }
-  }
-  const size_t count = param.words.size();
-  const std::string found =
-      count == 0 ? "nothing" : fmt::format("{} number{}", count, count == 1 ? "" : "s");
-  Error(param.where, fmt::format("'{}' expects {}, found {}", param.name, expected, found));
-}
-
-std::optional<float> ParamReader::OneNumber(std::string_view name, bool is_required,
-                                            const char* expected, bool (*is_legal)(float)) {
-  const Param* param = Ask(name, is_required);
-  if (!param) return std::nullopt;
-  const auto value =
-      param->words.size() == 1 ? ParseFloat(param->words[0].text) : std::optional<float>();
-  if (!value) {
-    Mismatch(*param, expected);
-  } else if (!is_legal(*value)) {
-    Error(param->words[0].where,
-          fmt::format("'{}' expects {}, found {}", name, expected, Quote(param->words[0].text)));
-    return std::nullopt;
+template <class Read>
+auto ParamReader::ReadEach(std::string_view name, bool is_required, const Read& read) {
+  decltype(read(params_.params[0])) value;
+  const bool is_given = Has(name);
+  if (is_required && !is_given && !IsOneOf(missing_, name)) missing_.push_back(name);
+  for (const Param& param : params_.params) {
+    if (param.name == name) value = read(param);
   }
   return value;
 }
 
+/// Fills `values` when the parameter is exactly so many legal numbers; reports what else it is.
+bool ParamReader::ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values) {
+  for (size_t i = 0; i < param.words.size(); ++i) {
+    const ParamWord& word = param.words[i];
+    const auto value = ParseFloat(word.text);
+    if (!value || !rule.is_legal(*value)) {
+      Error(word.where, WrongWord(param.name, rule.expected, word.text, IsTooLarge(word.text)));
+      return false;
+    }
+    if (i == values.size()) {
+      Error(word.where, WrongCount(param.name, rule.expected, param.words.size()));
+      return false;
+    }
+    values[i] = *value;
+  }
+  if (param.words.size() == values.size()) return true;
+  shortages_.push_back({&param, rule.expected});
+  return false;
+}
+
+std::optional<float> ParamReader::OneNumber(std::string_view name, bool is_required,
+                                            const NumberRule& rule) {
+  return ReadEach(name, is_required, [&](const Param& param) -> std::optional<float> {
+    std::array<float, 1> value;
+    if (!ReadNumbers(param, rule, value)) return std::nullopt;
+    return value[0];
+  });
+}
+
+std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_required,
+                                              const NumberRule& rule) {
+  return ReadEach(name, is_required, [&](const Param& param) -> std::optional<Vec3> {
+    std::array<float, 3> v;
+    if (!ReadNumbers(param, rule, v)) return std::nullopt;
+    return Vec3{v[0], v[1], v[2]};
+  });
+}
+
+std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
+  return ReadEach(name, true, [&](const Param& param) -> std::optional<int64_t> {
+    constexpr const char* kExpected = "a whole number";
+    if (param.words.empty()) {
+      shortages_.push_back({&param, kExpected});
+      return std::nullopt;
+    }
+    const std::string& word = param.words[0].text;
+    const auto value = ParseInteger(word);
+    if (!value) {
+      const bool is_too_large = word.find_first_not_of("0123456789", 1) == std::string::npos &&
+                                ParseFloat(word).has_value();
+      Error(param.words[0].where, WrongWord(name, kExpected, word, is_too_large));
+    } else if (param.words.size() > 1) {
+      Error(param.words[1].where, WrongCount(name, kExpected, param.words.size()));
+    }
+    return value;
+  });
+}
+
+std::optional<std::string> ParamReader::OneWord(const Param& param) {
+  if (param.words.size() == 1) return param.words[0].text;
+  Error(param.words.empty() ? param.where : param.words[1].where,
+        param.words.empty() ? fmt::format("'{}' expects a word, found nothing", param.name)
+                            : fmt::format("'{}' expects one word, found {} behind {}", param.name,
+                                          Quote(param.words[1].text), Quote(param.words[0].text)));
+  return std::nullopt;
+}
+
 float ParamReader::Number(std::string_view name, float default_value) {
-  return OneNumber(name, false, "a number", IsAny).value_or(default_value);
+  return OneNumber(name, false, {"a number", IsAny}).value_or(default_value);
 }
 
 float ParamReader::RequiredNumber(std::string_view name) {
-  return OneNumber(name, true, "a number", IsAny).value_or(0.0f);
+  return OneNumber(name, true, {"a number", IsAny}).value_or(0.0f);
 }
 
 float ParamReader::Positive(std::string_view name, float default_value) {
-  return OneNumber(name, false, "a positive number", IsPositive).value_or(default_value);
+  return OneNumber(name, false, {"a positive number", IsPositive}).value_or(default_value);
 }
 
 float ParamReader::RequiredPositive(std::string_view name) {
-  return OneNumber(name, true, "a positive number", IsPositive).value_or(1.0f);
+  return OneNumber(name, true, {"a positive number", IsPositive}).value_or(1.0f);
 }
 
 float ParamReader::NonNegative(std::string_view name, float default_value) {
-  return OneNumber(name, false, "a number that is not negative", IsNonNegative)
+  return OneNumber(name, false, {"a number that is not negative", IsNonNegative})
       .value_or(default_value);
 }
 
 float ParamReader::RequiredAngle(std::string_view name) {
-  return OneNumber(name, true, "an angle between 0 and 180 degrees", IsAngle).value_or(90.0f);
-}
-
-int64_t ParamReader::RequiredInteger(std::string_view name) {
-  const Param* param = Ask(name, true);
-  if (!param) return 0;
-  const auto value =
-      param->words.size() == 1 ? ParseInteger(param->words[0].text) : std::optional<int64_t>();
-  if (value) return *value;
-  const bool is_one = param->words.size() == 1;
-  Error(is_one ? param->words[0].where : param->where,
-        fmt::format(
-            "'{}' expects a whole number, found {}", name,
-            is_one ? Quote(param->words[0].text) : fmt::format("{} values", param->words.size())));
-  return 0;
-}
-
-std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_required) {
-  const Param* param = Ask(name, is_required);
-  if (!param) return std::nullopt;
-  if (param->words.size() == 3) {
-    const auto x = ParseFloat(param->words[0].text);
-    const auto y = ParseFloat(param->words[1].text);
-    const auto z = ParseFloat(param->words[2].text);
-    if (x && y && z) return Vec3{*x, *y, *z};
-  }
-  Mismatch(*param, "three numbers");
-  return std::nullopt;
+  return OneNumber(name, true, {"an angle above 0 and below 180 degrees", IsAngle}).value_or(90.0f);
 }
 
 Vec3 ParamReader::Vector(std::string_view name, Vec3 default_value) {
-  return ThreeNumbers(name, false).value_or(default_value);
+  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
 }
 
 Vec3 ParamReader::RequiredVector(std::string_view name) {
-  return ThreeNumbers(name, true).value_or(Vec3());
+  return ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3());
 }
 
 Vec3 ParamReader::RequiredDirection(std::string_view name) {
-  const auto value = ThreeNumbers(name, true);
-  if (!value) return {0, 0, 1};
-  if (*value == Vec3{0, 0, 0}) {
-    Error(Where(name), fmt::format("'{}' expects a direction, found 0 0 0", name));
-    return {0, 0, 1};
-  }
-  return *value;
+  const Vec3 value = ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3{0, 0, 1});
+  if (value != Vec3()) return value;
+  Error(Where(name),
+        fmt::format("'{}' expects a direction: three numbers, not all of them 0", name));
+  return {0, 0, 1};
 }
 
 Rgb ParamReader::Color(std::string_view name, Rgb default_value) {
-  return ThreeNumbers(name, false).value_or(default_value);
+  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
+}
+
+Rgb ParamReader::NonNegativeColor(std::string_view name, Rgb default_value) {
+  const NumberRule rule{"three numbers that are not negative", IsNonNegative};
+  return ThreeNumbers(name, false, rule).value_or(default_value);
+}
+
+Rgb ParamReader::Albedo(std::string_view name, Rgb default_value) {
+  const NumberRule rule{"three numbers from 0 to 1", IsFraction};
+  return ThreeNumbers(name, false, rule).value_or(default_value);
 }
 
 std::string ParamReader::Word(std::string_view name) {
-  const Param* param = Ask(name, false);
-  if (!param) return {};
-  if (param->words.size() == 1) return param->words[0].text;
-  Error(param->where,
-        fmt::format("'{}' expects a word, found {}", name,
-                    param->words.empty() ? std::string("nothing")
-                                         : fmt::format("{} values", param->words.size())));
-  return {};
+  return ReadEach(name, false, [&](const Param& param) { return OneWord(param); }).value_or("");
 }
 
 std::string ParamReader::RequiredWord(std::string_view name) {
-  if (!Ask(name, true)) return {};
-  return Word(name);
+  return ReadEach(name, true, [&](const Param& param) { return OneWord(param); }).value_or("");
 }
 
 bool ParamReader::Has(std::string_view name) {
-  return Ask(name, false) != nullptr;
+  if (!IsOneOf(known_, name)) known_.push_back(name);
+  return params_.Find(name) != nullptr;
 }
 
 SourceLocation ParamReader::Where(std::string_view name) const {
@@ -173,11 +195,66 @@ SourceLocation ParamReader::Where(std::string_view name) const {
 }
 
 void ParamReader::Finish() {
-  for (const Param& param : params_.params) {
-    if (std::find(known_.begin(), known_.end(), param.name) != known_.end()) continue;
-    Error(param.where, fmt::format("parameter {} is not used by {}{}", Quote(param.name),
-                                   Quote(object_), DidYouMean(param.name, known_)));
+  auto shortage = shortages_.begin();
+  std::sort(shortages_.begin(), shortages_.end(),
+            [](const Shortage& a, const Shortage& b) { return a.param < b.param; });
+  const std::vector<Param>& params = params_.params;
+  for (size_t i = 0; i < params.size(); ++i) {
+    const bool is_short = shortage != shortages_.end() && shortage->param == &params[i];
+    if (!is_short) {
+      if (!IsOneOf(known_, params[i].name)) ReportUnused(params[i]);
+      continue;
+    }
+    const auto [param, expected] = *shortage++;
+    const bool is_last = i + 1 == params.size();
+    if (is_last && params_.is_damaged) continue;  // The rest of it may be what could not be read.
+    // A word between numbers reads like the name of a further parameter; one that resembles no
+    // such name is what stands in the place of a number.
+    if (!is_last && !param->words.empty() && !Nearest(params[i + 1].name, known_)) {
+      ++i;
+      Error(params[i].where, WrongWord(param->name, expected, params[i].name));
+    } else {
+      Error(param->where, WrongCount(param->name, expected, param->words.size()));
+    }
   }
+  ReportMissing();
+}
+
+void ParamReader::ReportUnused(const Param& param) {
+  const auto nearest = Nearest(param.name, known_);
+  // Of a misspelt name it needs no saying that it is missing.
+  if (nearest) std::erase(missing_, *nearest);
+  diagnostics_->Error(param.where, [&] {
+    return fmt::format("parameter {} is not used by {}{}", Quote(param.name), Quote(object_),
+                       nearest || known_.empty() ? DidYouMean(param.name, known_)
+                                                 : fmt::format("; accepted: {}", ListOf(known_)));
+  });
+}
+
+void ParamReader::ReportMissing() {
+  if (params_.is_damaged) return;
+  std::vector<std::string_view> needed;
+  for (const std::string_view name : missing_) {
+    // Where the value before it is missing, a name was taken for that value.
+    const bool is_a_value = std::any_of(
+        params_.params.begin(), params_.params.end(),
+        [&](const Param& param) { return !param.words.empty() && param.words[0].text == name; });
+    if (!is_a_value) needed.push_back(name);
+  }
+  if (needed.empty()) return;
+  Error(where_, fmt::format("{} needs {}", Quote(object_), ListOf(needed, "and")));
+}
+
+std::string WrongWord(std::string_view name, std::string_view expected, std::string_view found,
+                      bool is_too_large) {
+  return fmt::format("'{}' expects {}, found {}{}", name, expected, Quote(found),
+                     is_too_large ? ", which is too large" : "");
+}
+
+std::string WrongCount(std::string_view name, std::string_view expected, size_t found) {
+  return fmt::format(
+      "'{}' expects {}, found {}", name, expected,
+      found == 0 ? "nothing" : fmt::format("{} number{}", found, found == 1 ? "" : "s"));
 }
 
 }  // namespace candela

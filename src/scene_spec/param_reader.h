@@ -15,10 +15,12 @@
 namespace candela {
 
 /// Gives meaning to a `ParamSet`: each call asks for one parameter, and what is wrong with it goes
-/// to the diagnostics while reading goes on with a usable value. Remembers what was asked for, so
-/// that `Finish` can report parameters that nobody knows.
+/// to the diagnostics while reading goes on with a usable value. Where a name repeats, the last one
+/// counts and all of them have to be right. Once everything was asked for, `Finish` reports what is
+/// missing and what nobody asked for; the two together, since a misspelt name is both.
 ///
-/// The calls with a default return it when the parameter is missing; the `Required` ones report it.
+/// The calls with a default return it when the parameter is missing; for the `Required` ones it is
+/// then wrong.
 class ParamReader {
  public:
   /// `object` names what is read for messages, as in "is not used by 'sphere'". `where` is the
@@ -33,15 +35,20 @@ class ParamReader {
   float NonNegative(std::string_view name, float default_value);
   /// Strictly between 0 and 180.
   float RequiredAngle(std::string_view name);
-  int64_t RequiredInteger(std::string_view name);
+  /// Nothing when it is missing or wrong.
+  std::optional<int64_t> RequiredInteger(std::string_view name);
 
   Vec3 Vector(std::string_view name, Vec3 default_value);
   Vec3 RequiredVector(std::string_view name);
   /// Three numbers of which at least one is not 0.
   Vec3 RequiredDirection(std::string_view name);
   Rgb Color(std::string_view name, Rgb default_value);
+  /// Each number at least 0.
+  Rgb NonNegativeColor(std::string_view name, Rgb default_value);
+  /// Each number from 0 to 1.
+  Rgb Albedo(std::string_view name, Rgb default_value);
 
-  /// One word or path, as written; empty when it is missing.
+  /// One word or path, as written; empty when it is missing or wrong.
   std::string Word(std::string_view name);
   std::string RequiredWord(std::string_view name);
 
@@ -51,22 +58,44 @@ class ParamReader {
 
   void Error(SourceLocation where, std::string text);
 
-  /// Reports parameters that were given but never asked for.
+  /// Reports parameters that are missing, and those that were given but never asked for.
   void Finish();
 
  private:
-  /// The parameter, remembered as known; reports a required one that is missing.
-  const Param* Ask(std::string_view name, bool is_required);
-  std::optional<float> OneNumber(std::string_view name, bool is_required, const char* expected,
-                                 bool (*is_legal)(float));
-  std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required);
-  void Mismatch(const Param& param, const char* expected);
+  struct NumberRule {
+    const char* expected;     ///< For messages.
+    bool (*is_legal)(float);  ///< For each number.
+  };
+  /// A parameter with fewer values than it needs.
+  struct Shortage {
+    const Param* param;
+    const char* expected;
+  };
+
+  /// The value that `read` finds in the last parameter of that name; remembers the name as known.
+  template <class Read>
+  auto ReadEach(std::string_view name, bool is_required, const Read& read);
+  std::optional<float> OneNumber(std::string_view name, bool is_required, const NumberRule& rule);
+  std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required, const NumberRule& rule);
+  bool ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values);
+  std::optional<std::string> OneWord(const Param& param);
+  void ReportUnused(const Param& param);
+  void ReportMissing();
 
   const ParamSet& params_;
   std::string_view object_;
   const SourceLocation& where_;
   Diagnostics* diagnostics_;
   std::vector<std::string_view> known_;
+  std::vector<std::string_view> missing_;
+  std::vector<Shortage> shortages_;
 };
+
+/// For messages about a parameter's value: "'radius' expects a positive number, found 'x'".
+std::string WrongWord(std::string_view name, std::string_view expected, std::string_view found,
+                      bool is_too_large = false);
+
+/// The same for a wrong number of numbers.
+std::string WrongCount(std::string_view name, std::string_view expected, size_t found);
 
 }  // namespace candela

@@ -25,6 +25,9 @@ struct Param {
 /// counts. Meaning is given to them by a `ParamReader`.
 struct ParamSet {
   std::vector<Param> params;
+  /// True when something in the block could not be read, which was reported: a parameter that is
+  /// missing may have stood there.
+  bool is_damaged = false;
 
   /// The last parameter of that name, or null.
   const Param* Find(std::string_view name) const;

@@ -24,7 +24,7 @@ const Entry* FindEntry(std::span<const Entry> table, const TypedSpec& spec, std:
   }
   if (!spec.type.empty()) {
     diagnostics->Error(spec.where,
-                       fmt::format("there is no {} {}{}; known: {}", kind, Quote(spec.type),
+                       fmt::format("there is no {} of type {}{}; known: {}", kind, Quote(spec.type),
                                    DidYouMean(spec.type, names), ListOf(names)));
   }
   return nullptr;

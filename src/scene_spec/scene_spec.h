@@ -36,12 +36,13 @@ struct BackgroundSpec {
 struct MaterialSpec {
   TypedSpec material;
   std::string name;  ///< Empty when it has none; then only its index refers to it.
+  SourceLocation name_where;
 };
 
 /// Which material an object wears: by position in `SceneSpec::materials`, or by name.
 struct MaterialReference {
-  int64_t index = -1;
-  std::string name;  ///< Counts when it is not empty.
+  std::string name;              ///< Counts when it is not empty.
+  std::optional<int64_t> index;  ///< Nothing when it could not be read, which was reported.
   SourceLocation where;
 };
 
@@ -65,10 +66,16 @@ struct SceneSpec {
   CameraSpec camera;
   BackgroundSpec background;
   std::vector<MaterialSpec> materials;
+  /// True when some could not be read, which was reported: a reference to one that is missing is
+  /// then no mistake of its own.
+  bool materials_are_damaged = false;
   /// The hierarchy in the order of the file: each node after its parent. The first is the root.
   std::vector<NodeSpec> nodes;
-  /// Each mesh file once, by its path as written.
+  /// The meshes by their paths as written; null when one could not be read, which was reported.
+  /// Paths that mean the same file share one mesh.
   std::map<std::string, std::shared_ptr<const MeshSpec>> meshes;
+  /// The files that were read, the one of the scene first.
+  std::vector<std::filesystem::path> files;
 };
 
 }  // namespace candela

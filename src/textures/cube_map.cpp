@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,11 @@ std::vector<std::filesystem::path> CubeMap::FaceFiles(const std::filesystem::pat
 
 std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
                                      const SourceLocation& asked, Diagnostics* diagnostics) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    diagnostics->Error(asked, fmt::format("cube map {}: no such folder", Quote(folder.string())));
+    return std::nullopt;
+  }
   CubeMap map;
   const std::vector<std::filesystem::path> paths = FaceFiles(folder);
   std::array<Diagnostics, kFaces> found;  // One for each task, so that the order stays fixed.

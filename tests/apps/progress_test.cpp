@@ -1,5 +1,6 @@
 // What long work shows, on a terminal and elsewhere, and how it is stopped.
 
+#include <algorithm>
 #include <csignal>
 
 #include "base/clock.h"

@@ -39,6 +39,12 @@ TEST(StatisticsToText, ShowsPhasesRaysRateAndMemory) {
   }
 }
 
+TEST(StatisticsToText, LeavesOutAPeakThatTheSystemDoesNotTell) {
+  RenderStatistics statistics = Example();
+  statistics.peak_bytes = 0;
+  EXPECT_THAT(StatisticsToText(statistics), testing::Not(testing::HasSubstr("peak")));
+}
+
 TEST(StatisticsToJson, HoldsTheSame) {
   const auto json = nlohmann::json::parse(StatisticsToJson(Example()));
   EXPECT_EQ(json["scene"], "arch\xEF\xBF\xBD\".txt");  // What is not UTF-8 is replaced.

@@ -94,5 +94,29 @@ TEST(Diagnostics, StartsEmpty) {
   EXPECT_THAT(Diagnostics().Lines(), IsEmpty());
 }
 
+TEST(Diagnostics, ShowsEachFileInReadingOrder) {
+  Diagnostics diagnostics;
+  diagnostics.Error(At("b"), "something is missing");
+  diagnostics.Error(At("a", 2, 1), "e");
+  diagnostics.Error(At("b", 9, 1), "e");
+  diagnostics.Warning(At("b", 3, 7), "w");
+  diagnostics.Error(At("b", 3, 2), "first");
+  diagnostics.Error(At("b", 3, 2), "second");
+  EXPECT_THAT(diagnostics.Lines(),
+              ElementsAre("b:3:2: error: first", "b:3:2: error: second", "b:3:7: warning: w",
+                          "b:9:1: error: e", "b: error: something is missing", "a:2:1: error: e"));
+}
+
+TEST(Diagnostics, MakesOnlyTheTextsThatAreShown) {
+  Diagnostics diagnostics;
+  int made = 0;
+  for (int i = 0; i < 25; ++i) {
+    diagnostics.Error(At("a", 1, 1), [&] { return std::to_string(++made); });
+  }
+  EXPECT_EQ(made, 20);
+  EXPECT_EQ(diagnostics.ErrorCount(), 25u);
+  EXPECT_EQ(diagnostics.Lines()[19], "a:1:1: error: 20");
+}
+
 }  // namespace
 }  // namespace candela

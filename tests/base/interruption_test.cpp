@@ -4,6 +4,7 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 #include <random>
 #include <thread>
 
@@ -54,6 +55,8 @@ class Moments {
 TEST(Interruption, AKillLeavesTheOldContentOrTheNew) {
   const TempFolder folder;
   const auto path = folder / "output";
+  // Writes once before the children start: on the portable platform they inherit the number drawn
+  // then, and so find each other's leftover at once.
   Moments moments(path);
   int killed_while_writing = 0;
   for (int i = 0; i < 20; ++i) {
@@ -72,30 +75,48 @@ TEST(Interruption, AKillLeavesTheOldContentOrTheNew) {
   EXPECT_THAT(folder.Names(), ElementsAre("output"));
 }
 
+/// Sends a stop signal to a process that does `work`, which does not end, at moments of its own.
+void StopWhile(Moments* moments, int signal, const std::function<void()>& work) {
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  Child child([&]() -> int {
+    ExitOnStopSignals();
+    (void)!::write(ready[1], "x", 1);
+    work();
+    return 1;
+  });
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  moments->WaitForOne();
+  child.Signal(signal);
+  ASSERT_EQ(child.Wait(), 128 + signal);
+}
+
 TEST(Interruption, AStopSignalLeavesNoTemporaryFile) {
   const TempFolder folder;
   const auto path = folder / "output";
   Moments moments(path);
   for (int i = 0; i < 21; ++i) {
     const int signal = std::array{SIGINT, SIGTERM, SIGHUP}[static_cast<size_t>(i) % 3];
-    int ready[2];
-    ASSERT_EQ(::pipe(ready), 0);
-    Child child([&]() -> int {
-      ExitOnStopSignals();
-      (void)!::write(ready[1], "x", 1);
-      WriteForEver(path);
-    });
-    char byte = 0;
-    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-    ::close(ready[0]);
-    ::close(ready[1]);
-    moments.WaitForOne();
-    child.Signal(signal);
-    ASSERT_EQ(child.Wait(), 128 + signal);
-
+    ASSERT_NO_FATAL_FAILURE(StopWhile(&moments, signal, [&] { WriteForEver(path); }));
     const std::string content = Get(path);
     EXPECT_TRUE(content == kOne || content == kTwo) << content.size() << " bytes";
     EXPECT_THAT(folder.Names(), ElementsAre("output"));
+  }
+}
+
+// The check makes a file for a moment, too.
+TEST(Interruption, AStopSignalDuringTheCheckLeavesNothing) {
+  const TempFolder folder;
+  Moments moments(folder / "output");
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_NO_FATAL_FAILURE(StopWhile(&moments, SIGINT, [&] {
+      while (CheckWritable(folder / "new")) {
+      }
+    }));
+    ASSERT_THAT(folder.Names(), ElementsAre("output"));
   }
 }
 

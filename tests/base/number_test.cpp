@@ -36,5 +36,15 @@ TEST(ParseInteger, IsCheckedIn64Bits) {
   }
 }
 
+TEST(IsTooLarge, IsTrueOnlyForNumbersBeyondAFloat) {
+  for (const char* text :
+       {"1e39", "-1e39", "+340282360000000000000000000000000000000", "1e999999"}) {
+    EXPECT_TRUE(IsTooLarge(text)) << text;
+  }
+  for (const char* text : {"1e38", "0e999999", "1e-999999", "inf", "1e39x", "x", "", "-"}) {
+    EXPECT_FALSE(IsTooLarge(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace candela

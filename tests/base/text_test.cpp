@@ -77,5 +77,18 @@ TEST(ListOf, ReadsAsASentence) {
   EXPECT_EQ(ListOf(words.first(3)), "'sphere', 'plane' or 'triangle'");
 }
 
+TEST(Nearest, UpperAndLowerCaseAreNear) {
+  constexpr std::string_view kNames[] = {"up", "fov", "FOVEA"};
+  EXPECT_EQ(Nearest("FOV", kNames), "fov");
+  EXPECT_EQ(Nearest("UP", kNames), "up");
+  EXPECT_EQ(Nearest("XYZ", kNames), std::nullopt);
+}
+
+TEST(ListOf, EndsWithTheWordOfTheSentence) {
+  constexpr std::string_view kNames[] = {"a", "b", "c"};
+  EXPECT_EQ(ListOf(kNames), "'a', 'b' or 'c'");
+  EXPECT_EQ(ListOf(kNames, "and"), "'a', 'b' and 'c'");
+}
+
 }  // namespace
 }  // namespace candela

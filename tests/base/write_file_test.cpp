@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <string_view>
 #include <thread>
 
@@ -183,8 +184,11 @@ TEST(CheckWritable, LeavesNothingBehindAndTheOldFileAlone) {
 
 TEST(WriteFile, RemovesWhatAKilledRunLeft) {
   const TempFolder folder;
-  // No process has this number: it is above the largest that Linux gives.
+  // No process has this number: it is above the largest that Linux gives. Where nobody can be asked
+  // for it, the age of the file tells.
   Put(folder / ".a.png.candela-4194305.tmp", "left over");
+  fs::last_write_time(folder / ".a.png.candela-4194305.tmp",
+                      fs::file_time_type::clock::now() - std::chrono::hours(2));
   Put(folder / ".b.png.candela-4194305.tmp", "of another output");
   Put(folder / (".a.png.candela-" + std::to_string(::getppid()) + ".tmp"), "still being written");
   Put(folder / ".a.png.candela-notes.tmp", "of the user");

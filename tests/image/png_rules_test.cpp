@@ -79,7 +79,7 @@ TEST(PngRules, MissingChecksumOfThePixelsIsAnError) {
   }
 }
 
-// libspng by itself refuses the picture for a profile that does not unpack.
+// A profile that does not unpack, a gamma without a value, a text without an end.
 TEST(PngRules, FaultsOfAncillaryChunksAreIgnored) {
   EXPECT_THAT(WarningsOf(PngFile({kHeader, PngChunk("iCCP", Bytes({'a', 0, 0, 1, 2, 3, 4})),
                                   PngChunk("gAMA", ""), PngChunk("zTXt", "x"), kData, kEnd})),

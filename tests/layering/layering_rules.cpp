@@ -9,12 +9,6 @@
 namespace candela::layering {
 namespace {
 
-/// Who may include whom, as in docs/architecture.md section 2. A folder may also include itself and
-/// what the folders it names may include.
-struct Row {
-  std::string_view folder;
-  std::vector<std::string_view> may_include;
-};
 const std::vector<Row> kTable = {
     {"apps", {"render", "loaders", "image", "fluid"}},
     {"render", {"integrators", "film", "scene"}},
@@ -46,10 +40,10 @@ struct Rule {
   std::vector<std::string_view> places;
 };
 const std::vector<Rule> kRules = {
-    {"platform headers belong in base/",
+    {"platform headers belong in base/posix/",
      std::regex(R"(#\s*include\s*<(sys/|unistd|fcntl|signal\.h|dlfcn|pthread|sched|poll|termios|)"
                 R"(dirent|spawn|mach/|[Ww]indows))"),
-     {"src/base/"}},
+     {"src/base/posix/"}},
     {"the threading library belongs in base/parallel.cpp",
      std::regex(R"(#\s*include\s*<(tbb|oneapi)/)"),
      {"src/base/parallel.cpp"}},
@@ -96,6 +90,10 @@ std::string IncludedFolder(const std::string& line) {
 }
 
 }  // namespace
+
+const std::vector<Row>& Table() {
+  return kTable;
+}
 
 std::string FolderOf(std::string_view path) {
   const size_t first = path.find('/');

@@ -6,6 +6,14 @@
 
 namespace candela::layering {
 
+/// Who may include whom, as in docs/architecture.md section 2. A folder may also include itself and
+/// what the folders it names may include.
+struct Row {
+  std::string_view folder;
+  std::vector<std::string_view> may_include;
+};
+const std::vector<Row>& Table();
+
 /// Source text without comments and without what stands inside quotes, lines kept: what is left is
 /// code. The path of an include stays.
 std::string CodeOf(std::string_view source);

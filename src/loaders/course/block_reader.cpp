@@ -2,105 +2,165 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "base/text.h"
+#include "loaders/course/block_words.h"
 
 namespace candela {
 namespace {
+
+bool IsOneOf(std::span<const std::string_view> words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool IsBlockWord(std::string_view word) {
+  return IsOneOf(kSectionWords, word) || IsOneOf(kMaterialsWords, word) ||
+         IsOneOf(kNodeWords, word);
+}
 
 bool IsDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Words that are numbers or attempts at one. A path may look so as well; that is for the reader of
-/// the parameter to say.
-bool LooksNumeric(std::string_view word) {
+/// Numbers and attempts at one. A path may look so as well; the reader of the parameter will know.
+bool LooksNumeric(const Token& token) {
   constexpr std::string_view kNotFinite[] = {"nan", "NaN", "NAN", "inf", "Inf", "INF", "infinity"};
-  for (const std::string_view each : kNotFinite) {
-    if (word == each) return true;
-  }
+  if (!token.IsWord()) return false;
+  const std::string_view word = token.text;
   if (IsDigit(word[0]) || word[0] == '+' || word[0] == '-') return true;
-  return word.size() > 1 && word[0] == '.' && IsDigit(word[1]);
+  return (word.size() > 1 && word[0] == '.' && IsDigit(word[1])) || IsOneOf(kNotFinite, word);
 }
 
 }  // namespace
 
-void BlockReader::OpenBlock(const Token& opener) {
-  if (tokens_.Peek().kind == Token::Kind::kOpenBrace) {
+bool BlockReader::OpenBlock(const Token& opener) {
+  if (tokens_.Peek().IsOpenBrace()) {
     tokens_.Next();
-    return;
+    return true;
   }
-  diagnostics_.Error(
-      tokens_.Where(tokens_.Peek()),
-      fmt::format("'{{' is due after {}, found {}", Quote(opener.text), Describe(tokens_.Peek())));
+  is_cut_short_ = is_cut_short_ || tokens_.Peek().IsEnd();
+  diagnostics_.Error(tokens_.Where(tokens_.Peek()), [&] {
+    return fmt::format("'{{' is due after {}, found {}", Quote(opener.text),
+                       Describe(tokens_.Peek()));
+  });
+  return false;
 }
 
-ParamSet BlockReader::ReadParams(const Token& opener) {
-  ParamSet set;
-  const auto is_number = [&] {
-    return tokens_.Peek().IsWord() && LooksNumeric(tokens_.Peek().text);
-  };
-  const auto take = [&] {
-    const Token token = tokens_.Next();
-    return ParamWord{std::string(token.text), tokens_.Where(token)};
-  };
+Token BlockReader::NextItem(const Token* opener, std::span<const std::string_view> accepted) {
+  // What follows a word that was reported belongs to the same mistake.
+  for (bool is_reported = false;; is_reported = true) {
+    if (opener && (tokens_.Peek().IsEnd() || (tokens_.PeekSecond().IsOpenBrace() &&
+                                              IsOneOf(kSectionWords, tokens_.Peek().text)))) {
+      EndsWithoutBrace(*opener);
+      return {};
+    }
+    Token token = tokens_.Next();
+    if (token.IsEnd() || token.IsCloseBrace() || IsOneOf(accepted, token.text)) return token;
 
+    const bool has_block = token.IsWord() && tokens_.Peek().IsOpenBrace();
+    // A word of another place was not misspelt but misplaced.
+    const auto nearest = IsBlockWord(token.text) ? std::nullopt : Nearest(token.text, accepted);
+    const bool is_mended = has_block && nearest;
+    if (is_mended || !is_reported) {
+      diagnostics_.Error(tokens_.Where(token), [&] {
+        return fmt::format("{} is due, found {}{}", ListOf(accepted), Describe(token),
+                           nearest ? DidYouMean(token.text, accepted) : std::string());
+      });
+    }
+    if (is_mended) {
+      token.text = *nearest;
+      return token;
+    }
+    if (has_block) tokens_.Next();
+    if (has_block || token.IsOpenBrace()) {
+      SkipBlock();
+      has_skipped_section_ = has_skipped_section_ || !opener;
+    }
+  }
+}
+
+ParamSet BlockReader::ReadParams(const Token& opener, Repeats repeats) {
+  ParamSet set;
+  std::set<std::string_view> names;
+  const bool is_open = OpenBlock(opener);
+  set.is_damaged = !is_open;
   while (true) {
-    const Token token = tokens_.Next();
-    if (token.kind == Token::Kind::kCloseBrace) return set;
-    if (token.IsEnd()) {
-      UnexpectedEnd(opener);
+    const Token& next = tokens_.Peek();
+    if (next.IsCloseBrace()) {
+      tokens_.Next();
       return set;
     }
-    if (!token.IsWord() || LooksNumeric(token.text)) {
-      diagnostics_.Error(
-          tokens_.Where(token),
-          fmt::format("the name of a parameter or '}}' is due, found {}", Describe(token)));
-      if (!token.IsWord()) SkipBlock();
-      while (is_number()) tokens_.Next();
+    const bool opens_block = next.IsWord() && tokens_.PeekSecond().IsOpenBrace();
+    if (next.IsEnd() || (opens_block && IsBlockWord(next.text))) {
+      if (is_open) EndsWithoutBrace(opener);
+      set.is_damaged = true;
+      return set;
+    }
+    if (opens_block || !next.IsWord() || LooksNumeric(next)) {
+      NoParam();
+      set.is_damaged = true;
       continue;
     }
-
-    Param param{std::string(token.text), tokens_.Where(token), {}};
-    while (is_number()) param.words.push_back(take());
-    if (param.words.empty() && tokens_.Peek().IsWord()) {
-      // A word followed by numbers is more likely the next parameter, and this one lacks its value.
-      const Token word = tokens_.Next();
-      if (is_number()) {
-        set.params.push_back(std::move(param));
-        param = {std::string(word.text), tokens_.Where(word), {}};
-        while (is_number()) param.words.push_back(take());
-      } else {
-        param.words.push_back({std::string(word.text), tokens_.Where(word)});
-      }
+    if (!names.insert(next.text).second && repeats == Repeats::kOdd) {
+      diagnostics_.Warning(
+          tokens_.Where(next),
+          fmt::format("{} is given once more; the last one counts", Quote(next.text)));
     }
-    set.params.push_back(std::move(param));
+    set.params.push_back(ReadParam());
   }
 }
 
-void BlockReader::UnknownWord(const Token& word, std::span<const std::string_view> accepted) {
-  diagnostics_.Error(tokens_.Where(word),
-                     fmt::format("{} is due, found {}{}", ListOf(accepted), Describe(word),
-                                 DidYouMean(word.text, accepted)));
-  if (tokens_.Peek().kind == Token::Kind::kOpenBrace || word.kind == Token::Kind::kOpenBrace) {
-    if (word.kind != Token::Kind::kOpenBrace) tokens_.Next();
-    SkipBlock();
-  }
+/// Reads a parameter whose name comes next.
+Param BlockReader::ReadParam() {
+  const Token name = tokens_.Next();
+  Param param{std::string(name.text), tokens_.Where(name), {}};
+  const auto take_word = [&] {
+    const Token token = tokens_.Next();
+    param.words.push_back({std::string(token.text), tokens_.Where(token)});
+  };
+  if (tokens_.Peek().IsWord() && !tokens_.PeekSecond().IsOpenBrace()) take_word();
+  while (LooksNumeric(tokens_.Peek())) take_word();
+  return param;
 }
 
+/// Reports and skips what stands where the name of a parameter is due.
+void BlockReader::NoParam() {
+  const Token token = tokens_.Next();
+  diagnostics_.Error(tokens_.Where(token), [&] {
+    return fmt::format("the name of a parameter or '}}' is due, found {}", Describe(token));
+  });
+  const bool has_block = token.IsWord() && tokens_.Peek().IsOpenBrace();
+  if (has_block) tokens_.Next();
+  if (has_block || token.IsOpenBrace()) SkipBlock();
+  while (LooksNumeric(tokens_.Peek())) tokens_.Next();
+}
+
+/// Reports that the closing brace of a block is missing before the next token, which cannot stand
+/// in the block.
+void BlockReader::EndsWithoutBrace(const Token& opener) {
+  const bool was_cut_short = std::exchange(is_cut_short_, tokens_.Peek().IsEnd());
+  if (was_cut_short) return;
+  diagnostics_.Error(tokens_.Where(tokens_.Peek()), [&] {
+    const std::string block =
+        fmt::format("the block {} of line {}", Quote(opener.text), opener.line);
+    return is_cut_short_ ? fmt::format("the file ends inside {}", block)
+                         : fmt::format("'}}' is due before {}: {} is not closed",
+                                       Describe(tokens_.Peek()), block);
+  });
+}
+
+/// Goes on behind the brace that closes the one just taken.
 void BlockReader::SkipBlock() {
   for (size_t depth = 1; depth > 0 && !tokens_.Peek().IsEnd();) {
     const Token token = tokens_.Next();
-    if (token.kind == Token::Kind::kOpenBrace) ++depth;
-    if (token.kind == Token::Kind::kCloseBrace) --depth;
+    if (token.IsOpenBrace()) ++depth;
+    if (token.IsCloseBrace()) --depth;
   }
-}
-
-void BlockReader::UnexpectedEnd(const Token& opener) {
-  diagnostics_.Error(
-      tokens_.Where(tokens_.Peek()),
-      fmt::format("the file ends inside the block {} of line {}", Quote(opener.text), opener.line));
 }
 
 }  // namespace candela

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -18,8 +19,8 @@ class NodeParser {
   std::vector<NodeSpec> Parse(const Token& scene);
 
  private:
-  /// Reads what may stand in a node besides nodes; false when `word` is none of it.
-  bool ParseItem(const Token& word, NodeSpec* node);
+  /// Reads what may stand in a node besides nodes.
+  void ParseItem(const Token& word, NodeSpec* node);
   void ParseTransform(const Token& word, NodeSpec* node);
   void ParseMaterial(const Token& word, NodeSpec* node);
   TypedSpec ParseTyped(const Token& word);
@@ -29,10 +30,5 @@ class NodeParser {
   BlockReader& blocks_;
   Diagnostics& diagnostics_;
 };
-
-/// Takes the parameter `type` out of a block's parameters. When it is missing that is reported and
-/// the type is empty, unless there is a default.
-TypedSpec TakeType(ParamSet params, const SourceLocation& where, std::string_view block,
-                   std::string_view default_type, Diagnostics* diagnostics);
 
 }  // namespace candela

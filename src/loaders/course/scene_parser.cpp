@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <algorithm>
+#include <iterator>
+#include <map>
 #include <utility>
 
 #include "base/files.h"
 #include "base/text.h"
 #include "loaders/course/block_reader.h"
+#include "loaders/course/block_words.h"
+#include "loaders/course/load_meshes.h"
 #include "loaders/course/node_parser.h"
-#include "loaders/obj/obj_reader.h"
+#include "loaders/course/typed_block.h"
 #include "loaders/text/nul_check.h"
 #include "loaders/text/tokenizer.h"
 #include "scene_spec/param_reader.h"
@@ -17,10 +21,7 @@
 namespace candela {
 namespace {
 
-constexpr std::string_view kSectionWords[] = {"Background", "Camera", "Materials", "Scene"};
-constexpr std::string_view kMaterialWords[] = {"Material"};
-
-/// Parameters of sections that may be given in parts: a later value replaces an earlier one.
+/// A section whose blocks add to each other: a later value replaces an earlier one.
 struct Section {
   ParamSet params;
   SourceLocation where;
@@ -37,18 +38,24 @@ class Parser {
   }
 
   SceneSpec Parse() {
-    while (!tokens_.Peek().IsEnd() && !diagnostics_.IsFull(scene_.file)) ParseSection();
+    for (Token word = NextSection(); !word.IsEnd(); word = NextSection()) ParseSection(word);
+    // Materials that nobody can find may be what was not understood.
+    if (!have_materials_ && diagnostics_.HasErrors()) scene_.materials_are_damaged = true;
+    CheckMaterialNames();
     ReadCamera();
     ReadBackground();
-    if (scene_.nodes.empty()) diagnostics_.Error(scene_.file, "there is no 'Scene' block");
-    LoadMeshes();
+    if (scene_.nodes.empty() && !blocks_.HasLostSections()) {
+      diagnostics_.Error(scene_.file, "there is no 'Scene' block");
+    }
+    LoadMeshes(&scene_, &diagnostics_);
     return std::move(scene_);
   }
 
  private:
-  void ParseSection() {
-    const Token word = tokens_.Next();
-    if (word.kind == Token::Kind::kCloseBrace) {
+  Token NextSection() { return blocks_.NextItem(nullptr, kSectionWords); }
+
+  void ParseSection(const Token& word) {
+    if (word.IsCloseBrace()) {
       diagnostics_.Warning(tokens_.Where(word), "this closing brace closes nothing");
     } else if (word.text == "Camera") {
       ParseParams(word, &camera_);
@@ -58,11 +65,9 @@ class Parser {
       WarnIfRepeated(have_materials_, word);
       have_materials_ = true;
       ParseMaterials(word);
-    } else if (word.text == "Scene") {
+    } else {
       WarnIfRepeated(!scene_.nodes.empty(), word);
       scene_.nodes = NodeParser(&tokens_, &blocks_, &diagnostics_).Parse(word);
-    } else {
-      blocks_.UnknownWord(word, kSectionWords);
     }
   }
 
@@ -76,68 +81,68 @@ class Parser {
     WarnIfRepeated(section->is_given, word);
     section->is_given = true;
     section->where = tokens_.Where(word);
-    blocks_.OpenBlock(word);
-    for (Param& param : blocks_.ReadParams(word).params) {
-      section->params.params.push_back(std::move(param));
-    }
+    ParamSet block = blocks_.ReadParams(word);
+    std::move(block.params.begin(), block.params.end(), std::back_inserter(section->params.params));
+    section->params.is_damaged |= block.is_damaged;
   }
 
   void ParseMaterials(const Token& opener) {
     scene_.materials.clear();
+    const size_t errors_before = diagnostics_.ErrorCount();
     blocks_.OpenBlock(opener);
-    while (true) {
-      const Token word = tokens_.Next();
-      if (word.kind == Token::Kind::kCloseBrace) return;
-      if (word.IsEnd()) return blocks_.UnexpectedEnd(opener);
-      if (word.text == "Material") {
-        ParseMaterial(word);
-      } else {
-        blocks_.UnknownWord(word, kMaterialWords);
-        if (diagnostics_.IsFull(scene_.file)) return;
-      }
+    for (Token word = blocks_.NextItem(&opener, kMaterialsWords); word.IsWord();
+         word = blocks_.NextItem(&opener, kMaterialsWords)) {
+      ParseMaterial(word);
     }
+    scene_.materials_are_damaged = diagnostics_.ErrorCount() > errors_before;
   }
 
   void ParseMaterial(const Token& word) {
-    blocks_.OpenBlock(word);
     const SourceLocation where = tokens_.Where(word);
     ParamSet params = blocks_.ReadParams(word);
     MaterialSpec material;
-    if (params.Find("name")) {
-      ParamReader reader(params, word.text, where, &diagnostics_);
-      material.name = reader.RequiredWord("name");
-      const SourceLocation name_where = reader.Where("name");
-      for (const MaterialSpec& other : scene_.materials) {
-        if (!material.name.empty() && other.name == material.name) {
-          diagnostics_.Error(name_where,
-                             fmt::format("a material named {} stands in line {} already",
-                                         Quote(material.name), other.material.where.line));
-        }
-      }
+    ParamReader reader(params, word.text, where, &diagnostics_);
+    if (reader.Has("name")) {
+      material.name = reader.Word("name");
+      material.name_where = reader.Where("name");
       std::erase_if(params.params, [](const Param& param) { return param.name == "name"; });
     }
     material.material = TakeType(std::move(params), where, word.text, "phong", &diagnostics_);
     scene_.materials.push_back(std::move(material));
   }
 
+  void CheckMaterialNames() {
+    std::map<std::string_view, const MaterialSpec*> by_name;
+    for (const MaterialSpec& material : scene_.materials) {
+      if (material.name.empty()) continue;
+      const MaterialSpec* first = by_name.try_emplace(material.name, &material).first->second;
+      if (first == &material) continue;
+      diagnostics_.Error(material.name_where, [&] {
+        return fmt::format("a material named {} stands in line {} already", Quote(material.name),
+                           first->name_where.line);
+      });
+    }
+  }
+
   void ReadCamera() {
     if (!camera_.is_given) {
-      diagnostics_.Error(scene_.file, "there is no 'Camera' block");
+      if (!blocks_.HasLostSections()) diagnostics_.Error(scene_.file, "there is no 'Camera' block");
       return;
     }
+    const size_t errors_before = diagnostics_.ErrorCount();
     ParamReader reader(camera_.params, "Camera", camera_.where, &diagnostics_);
     CameraSpec& camera = scene_.camera;
     camera.center = reader.RequiredVector("center");
     camera.direction = reader.RequiredDirection("direction");
     camera.up = reader.RequiredDirection("up");
     camera.fov_degrees = reader.RequiredAngle("fov");
+    reader.Finish();
+    if (camera_.params.is_damaged || diagnostics_.ErrorCount() > errors_before) return;
     const Vec3d direction = Normalize(ToDouble(camera.direction));
     const Vec3d up = Normalize(ToDouble(camera.up));
-    const bool have_both = reader.Has("direction") && reader.Has("up");
-    if (have_both && Length(Cross(direction, up)) < 1e-7) {
+    if (Length(Cross(direction, up)) < 1e-7) {
       reader.Error(reader.Where("up"), "'up' is parallel to 'direction'");
     }
-    reader.Finish();
   }
 
   void ReadBackground() {
@@ -148,17 +153,6 @@ class Parser {
     background.cube_map = reader.Word("cube_map");
     background.cube_map_where = reader.Where("cube_map");
     reader.Finish();
-  }
-
-  void LoadMeshes() {
-    for (const NodeSpec& node : scene_.nodes) {
-      if (!node.object || node.object->type != "mesh") continue;
-      const Param* path = node.object->params.Find("obj_file");
-      if (!path || path->words.size() != 1) continue;  // Reported when the mesh is compiled.
-      const std::string& name = path->words[0].text;
-      if (scene_.meshes.contains(name)) continue;
-      scene_.meshes[name] = LoadObj(scene_.folder / name, path->words[0].where, &diagnostics_);
-    }
   }
 
   Tokenizer tokens_;
@@ -184,7 +178,9 @@ SceneSpec LoadScene(const std::filesystem::path& path, Diagnostics* diagnostics)
     diagnostics->Error({file, 0, 0}, text.error().message);
     return {};
   }
-  return ParseScene(file, *text, path.parent_path(), diagnostics);
+  SceneSpec scene = ParseScene(file, *text, path.parent_path(), diagnostics);
+  scene.files.insert(scene.files.begin(), path);
+  return scene;
 }
 
 }  // namespace candela

@@ -21,13 +21,11 @@ Tokenizer::Tokenizer(std::shared_ptr<const std::string> file, std::string_view t
     : file_(std::move(file)), text_(text) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
-  next_ = Scan();
+  for (Token& token : ahead_) token = Scan();
 }
 
 Token Tokenizer::Next() {
-  const Token token = next_;
-  next_ = Scan();
-  return token;
+  return std::exchange(ahead_[0], std::exchange(ahead_[1], Scan()));
 }
 
 void Tokenizer::SkipBlanks() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,9 +16,11 @@ struct Token {
   Kind kind = Kind::kEnd;
   std::string_view text;
   uint32_t line = 0;
-  uint32_t column = 0;
+  uint32_t column = 0;  ///< In bytes, counted from 1; a byte order mark does not count.
 
   bool IsWord() const { return kind == Kind::kWord; }
+  bool IsOpenBrace() const { return kind == Kind::kOpenBrace; }
+  bool IsCloseBrace() const { return kind == Kind::kCloseBrace; }
   bool IsEnd() const { return kind == Kind::kEnd; }
 };
 
@@ -30,7 +33,9 @@ class Tokenizer {
 
   /// The next token; once at the end, the end again and again.
   Token Next();
-  const Token& Peek() const { return next_; }
+  const Token& Peek() const { return ahead_[0]; }
+  /// The one behind it.
+  const Token& PeekSecond() const { return ahead_[1]; }
 
   SourceLocation Where(const Token& token) const { return {file_, token.line, token.column}; }
 
@@ -43,7 +48,7 @@ class Tokenizer {
   size_t at_ = 0;
   size_t line_start_ = 0;
   uint32_t line_ = 1;
-  Token next_;
+  std::array<Token, 2> ahead_;
 };
 
 /// For messages: the token in quotes, or "the end of the file".

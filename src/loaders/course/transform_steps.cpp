@@ -1,0 +1,92 @@
+#include "loaders/course/transform_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "base/number.h"
+#include "base/text.h"
+#include "scene_spec/param_reader.h"
+
+namespace candela {
+namespace {
+
+struct Step {
+  std::string_view name;
+  size_t count;  ///< Of its numbers.
+  Mat4 (*matrix)(const Vec3d& numbers);
+};
+
+constexpr Step kSteps[] = {
+    {"translate", 3, [](const Vec3d& v) { return Mat4::Translate(v); }},
+    {"scale", 3, [](const Vec3d& v) { return Mat4::Scale(v); }},
+    {"x_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(0, v.x); }},
+    {"y_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(1, v.x); }},
+    {"z_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(2, v.x); }},
+};
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, std::size(kSteps)> names;
+  std::transform(std::begin(kSteps), std::end(kSteps), names.begin(),
+                 [](const Step& step) { return step.name; });
+  return names;
+}();
+
+const Step* FindStep(std::string_view name) {
+  const Step* found = std::find_if(std::begin(kSteps), std::end(kSteps),
+                                   [&](const Step& step) { return step.name == name; });
+  return found == std::end(kSteps) ? nullptr : found;
+}
+
+void ReportUnknown(const Param& param, Diagnostics* diagnostics) {
+  diagnostics->Error(param.where, [&] {
+    return fmt::format("{} is due, found {}{}", ListOf(kNames), Quote(param.name),
+                       DidYouMean(param.name, kNames));
+  });
+}
+
+}  // namespace
+
+Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
+  Mat4 product = Mat4::Identity();
+  const std::vector<Param>& params = steps.params;
+  for (size_t i = 0; i < params.size(); ++i) {
+    const Param& param = params[i];
+    const Step* step = FindStep(param.name);
+    if (!step) {
+      ReportUnknown(param, diagnostics);
+      continue;
+    }
+    const char* expected = step->count == 3 ? "three numbers" : "an angle in degrees";
+    Vec3d numbers;
+    size_t count = 0;
+    for (; count < std::min(step->count, param.words.size()); ++count) {
+      const auto number = ParseDouble(param.words[count].text);
+      if (!number) break;
+      numbers[static_cast<int>(count)] = *number;
+    }
+    if (count < param.words.size()) {
+      const ParamWord& word = param.words[count];
+      diagnostics->Error(word.where,
+                         count == step->count
+                             ? WrongCount(step->name, expected, param.words.size())
+                             : WrongWord(step->name, expected, word.text, IsTooLarge(word.text)));
+    } else if (count == step->count) {
+      // Each further step acts on the object before the ones written so far.
+      product = product * step->matrix(numbers);
+    } else if (i + 1 == params.size() && steps.is_damaged) {
+      // The rest of it may be what could not be read.
+    } else if (count > 0 && i + 1 < params.size() && !Nearest(params[i + 1].name, kNames)) {
+      // A word between numbers was read as the name of a step.
+      ++i;
+      diagnostics->Error(params[i].where, WrongWord(step->name, expected, params[i].name));
+    } else {
+      diagnostics->Error(param.where, WrongCount(step->name, expected, count));
+    }
+  }
+  return product;
+}
+
+}  // namespace candela

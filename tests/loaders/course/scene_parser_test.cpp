@@ -1,0 +1,133 @@
+// What scenes mean. What is said about wrong ones is compared in tests/malformed.
+#include "loaders/course/scene_parser.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace candela {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string kCamera = "Camera { center 1 2 3 direction 0 0 -1 up 0 1 0 fov 30 }\n";
+
+SceneSpec Parse(const std::string& text, std::vector<std::string>* lines = nullptr) {
+  Diagnostics diagnostics;
+  SceneSpec spec =
+      ParseScene(std::make_shared<const std::string>("s"), text, "/nowhere", &diagnostics);
+  if (lines) {
+    *lines = diagnostics.Lines();
+  } else {
+    EXPECT_THAT(diagnostics.Lines(), IsEmpty());
+  }
+  return spec;
+}
+
+TEST(SceneParser, CameraAndBackground) {
+  const SceneSpec spec = Parse("Background { color .1 .2 .3 ambient_light 1 2 3 cube_map sky }" +
+                               kCamera + "Scene { }");
+  EXPECT_EQ(spec.camera.center, (Vec3{1, 2, 3}));
+  EXPECT_EQ(spec.camera.direction, (Vec3{0, 0, -1}));
+  EXPECT_EQ(spec.camera.up, (Vec3{0, 1, 0}));
+  EXPECT_EQ(spec.camera.fov_degrees, 30);
+  EXPECT_EQ(spec.background.color, (Rgb{.1f, .2f, .3f}));
+  EXPECT_EQ(spec.background.ambient_light, (Rgb{1, 2, 3}));
+  EXPECT_EQ(spec.background.cube_map, "sky");
+}
+
+TEST(SceneParser, MaterialsArePhongUnlessTheySayOtherwise) {
+  const SceneSpec spec =
+      Parse(kCamera +
+            "Materials { Material { name red shininess 2 } Material { type diffuse } } Scene { }");
+  ASSERT_THAT(spec.materials, SizeIs(2));
+  EXPECT_EQ(spec.materials[0].material.type, "phong");
+  EXPECT_EQ(spec.materials[0].name, "red");
+  ASSERT_THAT(spec.materials[0].material.params.params, SizeIs(1));  // The name is taken out.
+  EXPECT_EQ(spec.materials[0].material.params.params[0].name, "shininess");
+  EXPECT_EQ(spec.materials[1].material.type, "diffuse");
+}
+
+TEST(SceneParser, NodesAreListedInTheOrderOfTheFile) {
+  const SceneSpec spec =
+      Parse(kCamera + "Scene { Node { Node { } } Component<Light> { type point } Node { } }");
+  ASSERT_THAT(spec.nodes, SizeIs(4));
+  EXPECT_EQ(spec.nodes[0].parent, NodeSpec::kNoParent);
+  EXPECT_EQ(spec.nodes[1].parent, 0u);
+  EXPECT_EQ(spec.nodes[2].parent, 1u);
+  EXPECT_EQ(spec.nodes[3].parent, 0u);
+  EXPECT_TRUE(spec.nodes[0].light);
+}
+
+TEST(SceneParser, TransformStepsComposeFromLeftToRight) {
+  const SceneSpec spec =
+      Parse(kCamera + "Scene { Transform { translate 1 2 3 z_rotate 90 scale 2 3 4 } }");
+  // Scaled first, then turned (x to y, y to -x), then moved: the columns are the images of the
+  // axes.
+  const auto& m = spec.nodes[0].parent_from_node.m;
+  EXPECT_EQ(m[0], (std::array<double, 4>{0, -3, 0, 1}));
+  EXPECT_EQ(m[1], (std::array<double, 4>{2, 0, 0, 2}));
+  EXPECT_EQ(m[2], (std::array<double, 4>{0, 0, 4, 3}));
+}
+
+TEST(SceneParser, RotationsTurnCounterClockwiseAboutTheirAxis) {
+  for (const auto& [word, row, column] :
+       {std::tuple("x_rotate", 2, 1), std::tuple("y_rotate", 0, 2), std::tuple("z_rotate", 1, 0)}) {
+    const SceneSpec spec = Parse(kCamera + "Scene { Transform { " + word + " 90 } }");
+    EXPECT_EQ(spec.nodes[0].parent_from_node.m[row][column], 1) << word;
+  }
+}
+
+TEST(SceneParser, LayoutMeansNothing) {
+  const SceneSpec spaced = Parse(kCamera + "Scene {\n\tNode {\r\n # a comment }\n }\n}\n");
+  const SceneSpec glued = Parse(
+      "\xEF\xBB\xBF"
+      "Camera{center 1 2 3 direction 0 0 -1 up 0 1 0 fov 30}Scene{Node{}}");
+  EXPECT_EQ(spaced.nodes.size(), 2u);
+  EXPECT_EQ(glued.nodes.size(), 2u);
+  EXPECT_EQ(glued.camera.fov_degrees, 30);
+}
+
+TEST(SceneParser, SectionsMayComeInAnyOrder) {
+  const SceneSpec spec = Parse("Scene { } Materials { Material { } } " + kCamera);
+  EXPECT_THAT(spec.materials, SizeIs(1));
+}
+
+TEST(SceneParser, ParametersMayComeInAnyOrderTheTypeIncluded) {
+  const SceneSpec spec = Parse(kCamera + "Scene { Component<Object> { radius 2 type sphere } }");
+  EXPECT_EQ(spec.nodes[0].object->type, "sphere");
+  EXPECT_EQ(spec.nodes[0].object->where.column, 43u);
+}
+
+TEST(SceneParser, ALaterSectionReplacesScenesAndMaterialsButAddsToTheOthers) {
+  std::vector<std::string> lines;
+  const SceneSpec spec = Parse(kCamera +
+                                   "Camera { fov 40 }\nMaterials { Material { } Material { } }\n"
+                                   "Materials { Material { } }\nScene { Node { } }\nScene { }",
+                               &lines);
+  EXPECT_EQ(spec.camera.fov_degrees, 40);
+  EXPECT_EQ(spec.camera.center, (Vec3{1, 2, 3}));
+  EXPECT_THAT(spec.materials, SizeIs(1));
+  EXPECT_THAT(spec.nodes, SizeIs(1));
+  EXPECT_THAT(lines, ElementsAre("s:2:1: warning: a second block 'Camera'; the last one counts",
+                                 "s:4:1: warning: a second block 'Materials'; the last one counts",
+                                 "s:6:1: warning: a second block 'Scene'; the last one counts"));
+}
+
+TEST(SceneParser, MaterialsOfOneNameAreToldApartByNobody) {
+  std::vector<std::string> lines;
+  Parse(kCamera + "Materials { Material { name a } Material { name a } } Scene { }", &lines);
+  EXPECT_THAT(lines, ElementsAre("s:2:49: error: a material named 'a' stands in line 2 already"));
+}
+
+TEST(SceneParser, ReferencesNameMaterialsByIndexOrName) {
+  const SceneSpec spec = Parse(kCamera +
+                               "Scene { Component<Material> { index 4294967296 } Node { "
+                               "Component<Material> { name white } } }");
+  EXPECT_EQ(spec.nodes[0].material->index, 4294967296);
+  EXPECT_EQ(spec.nodes[1].material->name, "white");
+}
+
+}  // namespace
+}  // namespace candela

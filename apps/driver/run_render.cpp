@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <new>
 #include <optional>
 #include <string>
@@ -19,6 +18,7 @@
 #include "driver/progress_reporter.h"
 #include "driver/render_report.h"
 #include "driver/render_request.h"
+#include "film/encode_film.h"
 #include "image/image_file.h"
 #include "render/render_first_hits.h"
 #include "render/render_job.h"
@@ -123,23 +123,16 @@ class RenderRun {
   Result<void> RenderImage(const Integrator& integrator) {
     RenderJob job(integrator, request_.render);
     const CancelToken never;
-    const auto done = Timed(&statistics_.seconds.render, [&] {
+    auto done = Timed(&statistics_.seconds.render, [&] {
       const ProgressReporter progress(job, request_.quiet);
       return job.Run(never);
     });
     if (!done) return done;
     statistics_.rays += job.Rays();
     statistics_.dropped_samples = job.film().DroppedSamples();
-    return Write(*request_.output, ToImage(job.film()));
-  }
-
-  static Image ToImage(const Film& film) {
-    const PixelWindow& window = film.Window();
-    Image image(window.Width(), window.Height(), 3);
-    for (int y = 0; y < window.Height(); ++y) {
-      std::ranges::copy(film.Row(window.y0 + y), image.Row(y).begin());
-    }
-    return image;
+    return Write(*request_.output, [&](ImageFormat format, const EncodeOptions& options) {
+      return EncodeFilm(job.film(), format, options);
+    });
   }
 
   Result<void> WriteMaps() {
@@ -149,21 +142,27 @@ class RenderRun {
                             [&] { return RenderFirstHits(*loaded_->scene, request_.render); });
     statistics_.rays.camera += hits.size();
     if (request_.normals) {
-      const Image image = NormalImage(hits, crop, *FormatOf(*request_.normals));
-      if (auto written = Write(*request_.normals, image); !written) return written;
+      const auto encode = [&](ImageFormat format, const EncodeOptions& options) {
+        return EncodeImage(NormalImage(hits, crop, format), format, options);
+      };
+      if (auto written = Write(*request_.normals, encode); !written) return written;
     }
     if (request_.depth) {
-      const Image image = DepthImage(hits, crop, *request_.depth, *FormatOf(request_.depth->path));
-      if (auto written = Write(request_.depth->path, image); !written) return written;
+      const auto encode = [&](ImageFormat format, const EncodeOptions& options) {
+        return EncodeImage(DepthImage(hits, crop, *request_.depth, format), format, options);
+      };
+      if (auto written = Write(request_.depth->path, encode); !written) return written;
     }
     return {};
   }
 
-  Result<void> Write(const std::filesystem::path& path, const Image& image) {
+  /// `encode` gives the bytes of the file for its format.
+  template <class Encode>
+  Result<void> Write(const std::filesystem::path& path, Encode encode) {
     EncodeOptions options;
     options.png_bits = request_.output_options.png_bits;
-    const Result<std::string> bytes = Timed(
-        &statistics_.seconds.encode, [&] { return EncodeImage(image, *FormatOf(path), options); });
+    const Result<std::string> bytes =
+        Timed(&statistics_.seconds.encode, [&] { return encode(*FormatOf(path), options); });
     if (!bytes) return bytes.error();
     return Timed(&statistics_.seconds.write, [&] { return WriteOutput(path, *bytes); });
   }

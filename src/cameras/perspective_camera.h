@@ -16,8 +16,9 @@ class PerspectiveCamera {
   Ray GenerateRay(Vec2 image_point) const;
 
  private:
-  Vec3 center_, right_, up_;
-  Vec3 forward_;  ///< As long as the image plane is far, where that plane is 2 high.
+  Vec3 center_;
+  Vec3 forward_;     ///< From the centre to the middle of the image plane.
+  Vec3 right_, up_;  ///< From there to the edges of the field of view.
 };
 
 }  // namespace candela

@@ -10,8 +10,11 @@ Bounds3 TransformBounds(const Transform& transform, const Bounds3& bounds) {
     const Vec3 p{corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,
                  corner & 4 ? bounds.max.z : bounds.min.z};
     const Vec3 error = transform.PointError(p, {});
-    image.Extend(transform.Point(p) - error);
-    image.Extend(transform.Point(p) + error);
+    const Vec3 low = transform.Point(p) - error, high = transform.Point(p) + error;
+    if (!IsFinite(low) || !IsFinite(high))
+      return Bounds3::Infinite();  // A NaN would not extend it.
+    image.Extend(low);
+    image.Extend(high);
   }
   return image;
 }

@@ -37,10 +37,11 @@ struct Bounds3 {
     max = Max(max, other.max);
   }
 
-  /// Half of the surface area, the measure of the surface area heuristic; 0 when empty.
-  float HalfArea() const {
+  /// Half of the surface area, the measure of the surface area heuristic; 0 when empty. In double,
+  /// where neither the smallest nor the largest boxes lose it.
+  double HalfArea() const {
     if (IsEmpty()) return 0;
-    const Vec3 e = Extent();
+    const Vec3d e = ToDouble(max) - ToDouble(min);
     return e.x * e.y + e.y * e.z + e.z * e.x;
   }
 

@@ -6,11 +6,11 @@
 
 namespace candela {
 
-/// The half-line o + t d for t_min <= t, together with the largest t of interest. The direction is
-/// not normalised when a ray is taken to object space, so t means the same everywhere.
+/// The part t_min <= t < t_max of the half-line o + t d. The direction is not normalised when a ray
+/// is taken to object space, so t means the same everywhere.
 struct Ray {
   Vec3 origin;
-  float t_min = 0;
+  float t_min = 0;  ///< Not negative.
   Vec3 direction;
   float t_max = std::numeric_limits<float>::max();  ///< Hits have t < t_max.
 

@@ -10,7 +10,8 @@ namespace candela {
 /// a shape, in world space when it comes from the scene.
 struct SurfacePoint {
   Vec3 p;
-  Vec3 p_error;      ///< Bound on the error of `p` in each coordinate.
+  Vec3 p_error;      ///< Bound on the error of `p` in each coordinate; in world space also of its
+                     ///< way back to object space.
   Vec3 n_geometric;  ///< Unit normal of the true surface, on the side its definition says.
   Vec3 n_shading;    ///< Unit normal for shading; never flipped towards the viewer.
 };

@@ -13,20 +13,33 @@ namespace candela {
 /// Intersection", 2013: shearing takes the ray to the z axis, so that an edge shared by two
 /// triangles is judged by the very same numbers for both.
 struct ShearedRay {
-  Vec3 origin;
+  Vec3 origin, direction;
   int kx, ky, kz;  ///< Axes of the sheared space; kz is where the direction is largest.
-  float shear_x, shear_y, shear_z;
+  float shear_x, shear_y;
 
-  explicit ShearedRay(const Ray& ray) : origin(ray.origin) {
+  explicit ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
     kz = LargestAxis(ray.direction);
     kx = (kz + 1) % 3;
     ky = (kx + 1) % 3;
     if (ray.direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
     shear_x = ray.direction[kx] / ray.direction[kz];
     shear_y = ray.direction[ky] / ray.direction[kz];
-    shear_z = 1.0f / ray.direction[kz];
   }
 };
+
+/// The normal on the side where the corners are seen counter-clockwise, as long as twice the area.
+/// In double, where it is right for triangles of any size and shape.
+inline Vec3d TriangleCross(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3d corner = ToDouble(a);
+  return Cross(ToDouble(b) - corner, ToDouble(c) - corner);
+}
+
+/// The unit normal on the same side; 0 for a triangle without area.
+inline Vec3 TriangleNormal(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3d n = TriangleCross(a, b, c);
+  const double length = Length(n);
+  return length > 0 ? ToFloat(n / length) : Vec3();
+}
 
 /// Looks for a hit of the closed triangle, from either side, with `t_min <= t < hit->t`. On success
 /// stores t and the barycentric weights u of `b` and v of `c`; on a miss leaves `*hit` as it was.
@@ -40,32 +53,45 @@ inline bool IntersectTriangle(const ShearedRay& ray, float t_min, Vec3 a, Vec3 b
   const float cx = to_c[ray.kx] - ray.shear_x * to_c[ray.kz];
   const float cy = to_c[ray.ky] - ray.shear_y * to_c[ray.kz];
 
-  // Twice the signed areas that the ray's point spans with each edge.
+  // Twice the signed areas that the ray's point spans with each edge. Rounding keeps the order of
+  // two products, so a sign is right unless they round to the same: then the area is 0, or not a
+  // number when they overflow.
   float area_a = cx * by - cy * bx;
   float area_b = ax * cy - ay * cx;
   float area_c = bx * ay - by * ax;
-  if (area_a == 0 || area_b == 0 || area_c == 0) {
-    // On an edge in single precision: double, in which the products are exact, tells the side.
-    const auto area = [](float px, float py, float qx, float qy) {
-      return static_cast<float>(static_cast<double>(px) * qy - static_cast<double>(py) * qx);
-    };
-    area_a = area(cx, cy, bx, by);
-    area_b = area(ax, ay, cx, cy);
-    area_c = area(bx, by, ax, ay);
-  }
-  const bool any_negative = area_a < 0 || area_b < 0 || area_c < 0;
-  const bool any_positive = area_a > 0 || area_b > 0 || area_c > 0;
-  if (any_negative && any_positive) return false;
-  const float sum = area_a + area_b + area_c;
-  if (!(sum != 0)) return false;  // Seen edge-on, or not a number.
+  const auto are_on_both_sides = [](auto p, auto q, auto r) {
+    return (p < 0 || q < 0 || r < 0) && (p > 0 || q > 0 || r > 0);
+  };
+  if (are_on_both_sides(area_a, area_b, area_c)) return false;
 
-  const float inverse = 1.0f / sum;
-  const float depth = area_a * to_a[ray.kz] + area_b * to_b[ray.kz] + area_c * to_c[ray.kz];
-  const float t = depth * ray.shear_z * inverse;
-  if (!(t >= t_min && t < hit->t)) return false;
+  const float sum = area_a + area_b + area_c;
+  const bool is_on_edge = area_a == 0 || area_b == 0 || area_c == 0;
+  float u, v;
+  if (!is_on_edge && std::abs(sum) > 1e-37f && std::abs(sum) < 1e37f) {
+    u = area_b / sum;
+    v = area_c / sum;
+  } else {
+    // In double the products are exact, and their range is wide enough for all floats.
+    const auto area = [](double px, double py, double qx, double qy) { return px * qy - py * qx; };
+    const double exact_a = area(cx, cy, bx, by);
+    const double exact_b = area(ax, ay, cx, cy);
+    const double exact_c = area(bx, by, ax, ay);
+    if (are_on_both_sides(exact_a, exact_b, exact_c)) return false;
+    const double exact_sum = exact_a + exact_b + exact_c;
+    if (exact_sum == 0) return false;  // Seen edge-on.
+    u = static_cast<float>(exact_b / exact_sum);
+    v = static_cast<float>(exact_c / exact_sum);
+  }
+
+  // The distance to the plane, in double: blending the corners' depths is wrong by the rounding of
+  // the triangle's size, so that rays which leave a large triangle would hit it again.
+  const Vec3d n = TriangleCross(a, b, c);
+  const auto t = static_cast<float>(Dot(n, ToDouble(a) - ToDouble(ray.origin)) /
+                                    Dot(n, ToDouble(ray.direction)));
+  if (!(t >= t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
   hit->t = t;
-  hit->u = area_b * inverse;
-  hit->v = area_c * inverse;
+  hit->u = u;
+  hit->v = v;
   return true;
 }
 

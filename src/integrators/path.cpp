@@ -15,6 +15,12 @@ namespace {
 constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 constexpr uint32_t kRouletteAfter = 4;  // Bounces that every path may take.
 
+/// Whether both directions lie on the same side of the true surface. Where a shading normal says
+/// otherwise, light would leak through.
+bool AreOnOneSide(const SurfacePoint& point, Vec3 wo, Vec3 wi) {
+  return Dot(point.n_geometric, wo) * Dot(point.n_geometric, wi) > 0;
+}
+
 // What the dimensions of a bounce are used for.
 enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2 };
 
@@ -33,9 +39,10 @@ Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
     if (!scene.materials()[i]->IsPhysical()) {
       return Error{
           ErrorCode::kInput,
-          fmt::format("material {} has a Phong highlight, which the integrator 'path' does "
-                      "not know; 'whitted' does",
-                      i)};
+          fmt::format(
+              "material {} has a Phong highlight, or reflects more light than it gets, which "
+              "the integrator 'path' does not know; 'whitted' does",
+              i)};
     }
   }
   return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));
@@ -75,7 +82,7 @@ Spectrum PathIntegrator::Radiance(const SampleRequest& request, RayCounts* rays)
     const uint32_t dimension = BounceDimension(bounce);
     const BsdfSample next = Sample(bsdf, wo, sampler.Get2D(dimension + kDirection));
     throughput *= next.weight;
-    if (next.pdf == 0 || throughput.IsBlack()) return radiance;
+    if (next.pdf == 0 || throughput.IsBlack() || !AreOnOneSide(point, wo, next.wi)) return radiance;
     if (bounce >= kRouletteAfter) {
       const float survival = std::min(0.95f, throughput.MaxComponent());
       if (sampler.Get1D(dimension + kRoulette) >= survival) return radiance;
@@ -93,7 +100,7 @@ Spectrum PathIntegrator::DirectLight(const SurfacePoint& point, const Bsdf& bsdf
     const LightSample sample = light->SampleIncident(point.p);
     const float cosine = Dot(bsdf.frame.z, sample.direction);
     const Spectrum value = Eval(bsdf, wo, sample.direction);
-    if (!(cosine > 0) || value.IsBlack()) continue;
+    if (!(cosine > 0) || value.IsBlack() || !AreOnOneSide(point, wo, sample.direction)) continue;
     ++rays->shadow;
     Ray ray = SpawnRay(point, sample.direction);
     ray.t_max = sample.distance;

@@ -2,17 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace candela {
 namespace {
 
 std::string ToText(Vec3 v) {
+  v += Vec3();  // Turns -0 into 0.
   return fmt::format("({:.5g}, {:.5g}, {:.5g})", v.x, v.y, v.z);
 }
 
 }  // namespace
 
 void RayStory::Add(std::string text) {
-  lines_.push_back(std::string(2 * depth_, ' ') + std::move(text));
+  // Of many thousand reflections the indent would take more memory than the words.
+  constexpr size_t kDeepestIndent = 20;
+  lines_.push_back(std::string(2 * std::min(depth_, kDeepestIndent), ' ') + std::move(text));
 }
 
 void RayStory::OnHit(const Ray& ray, const HitRecord& hit, Vec3 normal, const PhongTerms& terms) {

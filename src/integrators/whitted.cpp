@@ -93,6 +93,10 @@ Rgb WhittedIntegrator::Follow(Ray ray, RayCounts* rays, Observer* observer) cons
       return radiance;
     }
     throughput = throughput * terms.specular;
+    if (throughput == Rgb()) {  // Rounded to 0 after many mirrors: nothing can be added any more.
+      observer->OnEnd("reflects, but too little to count");
+      return radiance;
+    }
     observer->OnReflection(terms.specular);
     const Vec3 reflected = Reflect(ray.direction, n);
     ray = Ray(p + reflected * kOffset, reflected);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/bounds3.h"
@@ -20,14 +21,17 @@ class Bvh {
   explicit Bvh(std::span<const Bounds3> boxes);
 
   /// Calls `visit(item)` for each item whose box the ray meets between `ray.t_min` and the current
-  /// `*t_limit`, which `visit` may lower; near subtrees come first. Stops when `visit` returns
-  /// true. Boxes are widened by the rounding error of the test, so no hit inside a box is lost.
+  /// `*t_limit`, both included, which `visit` may lower; near subtrees come first. Stops when
+  /// `visit` returns true. Boxes that the ray misses by no more than the rounding error of the test
+  /// are visited too, so no hit inside a box is lost. `*t_limit` is finite.
   template <class Visit>
   void Traverse(const Ray& ray, const float* t_limit, Visit&& visit) const;
 
   /// The box around everything.
   Bounds3 Bounds() const { return nodes_.empty() ? Bounds3() : nodes_[0].bounds; }
   uint64_t MemoryBytes() const;
+  /// Nodes on the longest path from the root to a leaf, at most `kMostDepth`.
+  int Depth() const;
 
   /// No path from the root to a leaf is longer: the builder switches to halving in time.
   static constexpr int kMostDepth = 64;
@@ -60,21 +64,23 @@ inline Bvh::BoxRay::BoxRay(const Ray& ray)
 
 /// The ray's entry into the box, or infinity when it misses it before `t_limit`. The comparisons
 /// are written so that a NaN, from 0 * infinity when the origin lies on a slab that the ray is
-/// parallel to, does not shrink the interval. The exit is widened as in Ize, "Robust BVH Ray
-/// Traversal", 2013.
+/// parallel to, does not shrink the interval. After Ize, "Robust BVH Ray Traversal", 2013, but both
+/// ends make up for the three roundings of a distance, and for those of a hit at t_min or t_limit,
+/// which is computed in another way.
 inline float Bvh::EntryOrMiss(const BoxRay& ray, const Bounds3& box, float t_limit) {
-  constexpr float kWiden = 1 + 4e-7f;
+  constexpr float kRounding = 6e-7f;
   float entry = ray.t_min;
   float exit = t_limit;
   for (int axis = 0; axis < 3; ++axis) {
     const float to_min = (box.min[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
     const float to_max = (box.max[axis] - ray.origin[axis]) * ray.inverse_direction[axis];
     const float near = ray.inverse_direction[axis] < 0 ? to_max : to_min;
-    const float far = (ray.inverse_direction[axis] < 0 ? to_min : to_max) * kWiden;
+    const float far = ray.inverse_direction[axis] < 0 ? to_min : to_max;
     entry = near > entry ? near : entry;
     exit = far < exit ? far : exit;
   }
-  return entry <= exit ? entry : Bounds3::kInfinity;
+  entry *= 1 - kRounding;
+  return entry <= exit * (1 + kRounding) ? entry : Bounds3::kInfinity;
 }
 
 template <class Visit>

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBins = 16;
 constexpr uint32_t kMostPerLeaf = 4;
-constexpr float kStepCost = 1.0f;  // Of visiting a node, in tests of an item.
+constexpr double kStepCost = 1;  // Of visiting a node, in tests of an item.
 // From this depth on ranges are halved, which adds at most 32 levels more.
 constexpr int kHalvingDepth = Bvh::kMostDepth - 32;
 
@@ -33,6 +33,17 @@ Bvh::Bvh(std::span<const Bounds3> boxes) {
 
 uint64_t Bvh::MemoryBytes() const {
   return nodes_.capacity() * sizeof(Node) + items_.capacity() * sizeof(uint32_t);
+}
+
+int Bvh::Depth() const {
+  std::vector<int> depths(nodes_.size(), 1);
+  int deepest = 0;
+  for (size_t i = 0; i < nodes_.size(); ++i) {  // Children stand after their parent.
+    deepest = std::max(deepest, depths[i]);
+    if (nodes_[i].count != 0) continue;
+    depths[nodes_[i].first] = depths[nodes_[i].first + 1] = depths[i] + 1;
+  }
+  return deepest;
 }
 
 BvhBuilder::BvhBuilder(std::span<const Bounds3> boxes, Bvh* bvh) : bvh_(*bvh) {
@@ -88,8 +99,8 @@ uint32_t BvhBuilder::Partition(const Range& range, const Bounds3& bounds, const 
   const auto end = references_.begin() + range.end;
   if (range.depth < kHalvingDepth) {
     const Split split = FindSplit({&*begin, count}, centers);
-    const float area = bounds.HalfArea();
-    const bool is_worth = kStepCost * area + split.cost < area * static_cast<float>(count);
+    const double area = bounds.HalfArea();
+    const bool is_worth = kStepCost * area + split.cost < area * count;
     if (!is_worth && count <= kMostPerLeaf) return range.begin;
     if (split.cost < Bounds3::kInfinity) {
       const float scale = BinScale(centers, split.axis);
@@ -115,7 +126,7 @@ BvhBuilder::Split BvhBuilder::FindSplit(std::span<const Reference> references,
   struct Bin {
     Bounds3 bounds;
     uint32_t count = 0;
-    float Cost() const { return count == 0 ? 0.0f : bounds.HalfArea() * static_cast<float>(count); }
+    double Cost() const { return bounds.HalfArea() * count; }
     void Extend(const Bin& other) {
       bounds.Extend(other.bounds);
       count += other.count;
@@ -132,7 +143,7 @@ BvhBuilder::Split BvhBuilder::FindSplit(std::span<const Reference> references,
       ++bin.count;
     }
     // One sweep from the right keeps the cost of each right side, one from the left adds its own.
-    std::array<float, kBins> right_cost;
+    std::array<double, kBins> right_cost;
     Bin right;
     for (int i = kBins - 1; i > 0; --i) {
       right.Extend(bins[static_cast<size_t>(i)]);
@@ -141,7 +152,7 @@ BvhBuilder::Split BvhBuilder::FindSplit(std::span<const Reference> references,
     Bin left;
     for (int i = 1; i < kBins; ++i) {
       left.Extend(bins[static_cast<size_t>(i - 1)]);
-      const float cost =
+      const double cost =
           left.count == 0 ? Bounds3::kInfinity : left.Cost() + right_cost[static_cast<size_t>(i)];
       if (cost < best.cost) best = {axis, i, cost};
     }

@@ -27,7 +27,7 @@ class BvhBuilder {
   struct Split {
     int axis = 0;
     int bin = 0;  ///< Bins below it go left.
-    float cost = Bounds3::kInfinity;
+    double cost = Bounds3::kInfinity;
   };
 
   void Place(const Range& range, std::vector<Range>* todo);

@@ -1,5 +1,7 @@
 #include "lights/area_light.h"
 
+#include <algorithm>
+
 #include "lights/light_context.h"
 
 namespace candela {

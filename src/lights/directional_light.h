@@ -13,7 +13,8 @@ struct LightContext;
 class DirectionalLight final : public Light {
  public:
   /// `direction` is where the light goes to; any length but 0.
-  DirectionalLight(Vec3 direction, Rgb color) : to_light_(-Normalize(direction)), color_(color) {}
+  DirectionalLight(Vec3 direction, Rgb color)
+      : to_light_(-NormalizeAnyLength(direction)), color_(color) {}
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
   bool IsDelta() const override { return true; }

@@ -10,7 +10,7 @@ namespace candela {
 
 /// Light that reaches a point from one light source.
 struct LightSample {
-  Vec3 direction;     ///< Unit vector from the point to the light.
+  Vec3 direction;     ///< Unit vector from the point to the light; 0 when no light comes from it.
   Spectrum radiance;  ///< For a light without extent: what it adds to the irradiance at normal
                       ///< incidence.
   float distance =

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/source_location.h"
 #include "math/transform.h"
 
 namespace candela {

@@ -1,5 +1,7 @@
 #include "lights/point_light.h"
 
+#include <cmath>
+
 #include "lights/light_context.h"
 
 namespace candela {
@@ -14,6 +16,7 @@ std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContex
 LightSample PointLight::SampleIncident(Vec3 p) const {
   const Vec3 to_light = position_ - p;
   const float squared = Dot(to_light, to_light);
+  if (squared == 0) return {};  // In the light itself there is no direction to it.
   const float distance = std::sqrt(squared);
   const Rgb radiance = color_ / (attenuation_ * squared);
   return {to_light / distance, Spectrum(radiance), distance};

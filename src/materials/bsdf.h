@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "base/check.h"
 #include "math/frame.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -28,7 +29,10 @@ struct Bsdf {
   int count = 0;
   Lobe lobes[kMostLobes];
 
-  void Add(const Lobe& lobe) { lobes[count++] = lobe; }
+  void Add(const Lobe& lobe) {
+    DCHECK(count < kMostLobes);
+    lobes[count++] = lobe;
+  }
 };
 
 /// A direction drawn from a Bsdf. `weight` is value times cosine over density.

@@ -1,5 +1,7 @@
 #include "materials/diffuse.h"
 
+#include <algorithm>
+
 namespace candela {
 
 std::unique_ptr<Material> DiffuseMaterial::Create(ParamReader* params) {

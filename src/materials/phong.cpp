@@ -1,5 +1,7 @@
 #include "materials/phong.h"
 
+#include <algorithm>
+
 namespace candela {
 
 std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
@@ -13,6 +15,12 @@ std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
 
 void PhongMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
   bsdf->Add({LobeKind::kLambert, Spectrum(terms_.diffuse)});
+}
+
+bool PhongMaterial::IsPhysical() const {
+  const Rgb albedo = terms_.diffuse;
+  return terms_.specular == Rgb() && std::min({albedo.x, albedo.y, albedo.z}) >= 0 &&
+         std::max({albedo.x, albedo.y, albedo.z}) <= 1;
 }
 
 }  // namespace candela

@@ -16,8 +16,8 @@ class PhongMaterial final : public Material {
 
   PhongTerms Phong(const SurfacePoint&) const override { return terms_; }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  /// The highlight does not conserve energy, so light transport refuses it.
-  bool IsPhysical() const override { return terms_.specular == Rgb(); }
+  /// Light transport refuses highlights, which do not conserve energy, and what would be no albedo.
+  bool IsPhysical() const override;
 
  private:
   PhongTerms terms_;

@@ -97,6 +97,12 @@ constexpr Vec3d ToDouble(Vec3 a) {
   return {a.x, a.y, a.z};
 }
 
+/// A unit vector, for a vector of any length but 0: in double the squares of the smallest and of
+/// the largest floats keep their value.
+inline Vec3 NormalizeAnyLength(Vec3 a) {
+  return ToFloat(Normalize(ToDouble(a)));
+}
+
 template <class T>
 bool IsFinite(Vec3T<T> a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

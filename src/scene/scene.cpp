@@ -5,7 +5,8 @@
 namespace candela {
 namespace {
 
-/// A ray without a direction has no hits; comparisons alone would not always see that.
+/// A ray without a direction has no hits; comparisons alone would not always see that, and with a
+/// NaN every box of the tree would be visited.
 bool IsTraceable(const Ray& ray) {
   const float length = LengthSquared(ray.direction);
   return length > 0 && std::isfinite(length) && IsFinite(ray.origin);
@@ -64,10 +65,15 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SurfacePoint local = object.shape->SurfaceAt(ToObject(hit.object, ray), hit);
   SurfacePoint world = local;
   world.p = object.world_from_object.Point(local.p);
-  world.p_error = object.world_from_object.PointError(local.p, local.p_error);
+  // A ray that leaves from here is taken back to object space, with a rounding error of its own.
+  const Vec3 way_back = object.object_from_world.PointError(world.p, {});
+  world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
   // Normals go by the inverse transpose.
-  world.n_geometric = Normalize(object.object_from_world.TransposedVector(local.n_geometric));
-  world.n_shading = Normalize(object.object_from_world.TransposedVector(local.n_shading));
+  const auto to_world = [&](Vec3 n) {
+    return NormalizeAnyLength(object.object_from_world.TransposedVector(n));
+  };
+  world.n_geometric = to_world(local.n_geometric);
+  world.n_shading = to_world(local.n_shading);
   return world;
 }
 

@@ -34,8 +34,9 @@ struct SceneObject {
 class Scene {
  public:
   /// Looks for the nearest hit with `ray.t_min <= t < hit->t`; of equal t the object that comes
-  /// first in the scene file, and in it the smallest primitive. A ray with a NaN or a zero
-  /// direction misses. False when nothing is hit; `*hit` is then as it was.
+  /// first in the scene file, and in it the smallest primitive. A ray misses when it has a NaN, an
+  /// infinite origin, or a direction whose squared length is 0 or infinite. False when nothing is
+  /// hit; `*hit` is then as it was.
   bool Intersect(const Ray& ray, HitRecord* hit) const;
 
   /// Whether anything lies in `ray.t_min <= t < ray.t_max`.

@@ -8,9 +8,9 @@
 namespace candela {
 namespace {
 
-Vec3 UnitOrZero(Vec3 v) {
-  const float length = Length(v);
-  return length > 0 ? v / length : Vec3();
+Vec3 UnitOrZero(Vec3d v) {
+  const double length = Length(v);
+  return length > 0 ? ToFloat(v / length) : Vec3();
 }
 
 std::vector<Bounds3> TriangleBounds(const MeshSpec& spec) {
@@ -35,13 +35,14 @@ Mesh::Mesh(std::shared_ptr<const MeshSpec> spec)
 }
 
 void Mesh::ComputeVertexNormals() {
-  vertex_normals_.resize(spec_->positions.size());
+  // In double: the cross products of small triangles have no digits left in single precision.
+  std::vector<Vec3d> sums(spec_->positions.size());
   for (const auto& [a, b, c] : spec_->triangles) {
-    const Vec3 pa = spec_->positions[a];
-    const Vec3 n = Cross(spec_->positions[b] - pa, spec_->positions[c] - pa);
-    for (const uint32_t corner : {a, b, c}) vertex_normals_[corner] += n;
+    const Vec3d n = TriangleCross(spec_->positions[a], spec_->positions[b], spec_->positions[c]);
+    for (const uint32_t corner : {a, b, c}) sums[corner] += n;
   }
-  for (Vec3& n : vertex_normals_) n = UnitOrZero(n);
+  vertex_normals_.reserve(sums.size());
+  for (const Vec3d& sum : sums) vertex_normals_.push_back(UnitOrZero(sum));
 }
 
 Vec3 Mesh::CornerNormal(uint32_t triangle, size_t corner, Vec3 face_normal) const {
@@ -95,12 +96,12 @@ SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
   const Vec3 a = spec_->positions[corners[0]];
   const Vec3 b = spec_->positions[corners[1]];
   const Vec3 c = spec_->positions[corners[2]];
-  const Vec3 face_normal = UnitOrZero(Cross(b - a, c - a));
+  const Vec3 face_normal = TriangleNormal(a, b, c);
   const Vec3 blended = CornerNormal(hit.primitive, 0, face_normal) * (1 - hit.u - hit.v) +
                        CornerNormal(hit.primitive, 1, face_normal) * hit.u +
                        CornerNormal(hit.primitive, 2, face_normal) * hit.v;
   return {TrianglePoint(a, b, c, hit.u, hit.v), TrianglePointError(a, b, c, hit.u, hit.v),
-          face_normal, LengthSquared(blended) > 0 ? blended : face_normal};
+          face_normal, blended == Vec3() ? face_normal : blended};
 }
 
 uint64_t Mesh::MemoryBytes() const {

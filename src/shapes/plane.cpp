@@ -1,11 +1,24 @@
 #include "shapes/plane.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace candela {
 
 std::unique_ptr<Shape> Plane::Create(ParamReader* params, ShapeContext*) {
   const Vec3 normal = params->RequiredDirection("normal");
   const float offset = params->RequiredNumber("offset");
   return std::make_unique<Plane>(normal, offset);
+}
+
+// Scaled by a power of two, which rounds nothing, so that the squares of its length are ordinary
+// numbers.
+Plane::Plane(Vec3 normal, float offset) {
+  int exponent;
+  std::frexp(normal[LargestAxis(normal)], &exponent);
+  const auto scaled = [exponent](float value) { return std::ldexp(value, -exponent); };
+  normal_ = {scaled(normal.x), scaled(normal.y), scaled(normal.z)};
+  offset_ = scaled(offset);
 }
 
 // Inserting p = o + t d into Dot(n, p) = offset gives one linear equation.
@@ -16,6 +29,7 @@ bool Plane::Intersect(const Ray& ray, HitRecord* hit) const {
   const float t = (offset_ - Dot(normal_, ray.origin)) / approach;
   if (!(t >= ray.t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
   hit->t = t;
+  hit->u = hit->v = 0;
   hit->primitive = 0;
   return true;
 }

@@ -9,11 +9,11 @@ namespace candela {
 
 struct ShapeContext;
 
-/// The infinite plane of the points p with Dot(normal, p) = offset, the normal as it was written,
-/// of any length but 0. It is hit from both sides.
+/// The infinite plane of the points p with Dot(normal, p) = offset, hit from both sides.
 class Plane final : public Shape {
  public:
-  Plane(Vec3 normal, float offset) : normal_(normal), offset_(offset) {}
+  /// `normal` has any length but 0; `offset` counts in units of that length.
+  Plane(Vec3 normal, float offset);
   static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
 
   Bounds3 ObjectBounds() const override { return Bounds3::Infinite(); }
@@ -22,7 +22,7 @@ class Plane final : public Shape {
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
-  Vec3 normal_;
+  Vec3 normal_;  ///< Its largest component is between 1/2 and 1.
   float offset_;
 };
 

@@ -18,16 +18,16 @@ class Shape {
   /// A box around the surface; unbounded shapes return `Bounds3::Infinite()`.
   virtual Bounds3 ObjectBounds() const = 0;
 
-  /// Looks for a hit with `ray.t_min <= t < hit->t`. On success stores t, u, v and the primitive
-  /// and returns true; on a miss leaves `*hit` as it was. Of equal t within the shape the primitive
-  /// with the smallest index wins.
+  /// Looks for the nearest hit with `ray.t_min <= t < hit->t`. On success stores t, u, v and the
+  /// primitive and returns true; on a miss leaves `*hit` as it was. Of equal t within the shape the
+  /// primitive with the smallest index wins.
   virtual bool Intersect(const Ray& ray, HitRecord* hit) const = 0;
 
-  /// Whether anything lies in `ray.t_min <= t < ray.t_max`.
+  /// Whether anything of it lies in `ray.t_min <= t < ray.t_max`.
   virtual bool Occludes(const Ray& ray) const;
 
-  /// Position and normals of a hit found by `Intersect`, in object space; normals need not be unit
-  /// length yet. Kept apart because most hits found during traversal are replaced by nearer ones.
+  /// Position and normals of a hit found by `Intersect`, in object space; normals have any length
+  /// but 0. Kept apart because most hits found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
 
   /// How many primitives it consists of, for statistics.

@@ -16,30 +16,35 @@ Bounds3 Sphere::ObjectBounds() const {
 // Inserting p = o + t d into |p|^2 = r^2 gives a t^2 - 2 b t + c = 0. The discriminant is computed
 // from the distance of the centre to the ray, and the root that would cancel from the product of
 // both: Haines, Guenther and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection",
-// 2019.
+// 2019. In double, so that the squares of very small and very large spheres keep their value.
 bool Sphere::Intersect(const Ray& ray, HitRecord* hit) const {
-  const float a = Dot(ray.direction, ray.direction);
-  const float b = -Dot(ray.origin, ray.direction);
-  const Vec3 nearest = ray.origin + ray.direction * (b / a);  // Foot of the perpendicular.
-  const float within = radius_ * radius_ - Dot(nearest, nearest);
+  const Vec3d origin = ToDouble(ray.origin), direction = ToDouble(ray.direction);
+  const double r2 = double{radius_} * radius_;
+  const double a = Dot(direction, direction);
+  const double b = -Dot(origin, direction);
+  const Vec3d nearest = origin + direction * (b / a);  // Foot of the perpendicular.
+  const double within = r2 - Dot(nearest, nearest);
   if (!(within >= 0)) return false;  // Written so that NaN is a miss.
 
-  const float c = Dot(ray.origin, ray.origin) - radius_ * radius_;
-  const float q = b + std::copysign(std::sqrt(a * within), b);
-  float t0 = c / q, t1 = q / a;
+  const double c = Dot(origin, origin) - r2;
+  const double q = b + std::copysign(std::sqrt(a * within), b);
+  // q is 0 for a ray that touches the sphere where it starts.
+  double t0 = q != 0 ? c / q : 0, t1 = q / a;
   if (t0 > t1) std::swap(t0, t1);
-  const float t = t0 >= ray.t_min ? t0 : t1;
+  const auto near = static_cast<float>(t0), far = static_cast<float>(t1);
+  const float t = near >= ray.t_min ? near : far;
   if (!(t >= ray.t_min && t < hit->t)) return false;
   hit->t = t;
+  hit->u = hit->v = 0;
   hit->primitive = 0;
   return true;
 }
 
 SurfacePoint Sphere::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   // Pushed onto the sphere, the point is as exact as its coordinates can say.
-  const Vec3 p = ray.At(hit.t);
-  const Vec3 on_sphere = p * (radius_ / Length(p));
-  return {on_sphere, Abs(on_sphere) * 6e-7f, on_sphere, on_sphere};
+  const Vec3 normal = NormalizeAnyLength(ray.At(hit.t));
+  const Vec3 p = normal * radius_;
+  return {p, Abs(p) * 6e-7f, normal, normal};
 }
 
 }  // namespace candela

@@ -1,6 +1,5 @@
 #include "shapes/triangle.h"
 
-#include "geometry/triangle.h"
 #include "shapes/shape_context.h"
 
 namespace candela {
@@ -12,18 +11,11 @@ std::unique_ptr<Shape> Triangle::Create(ParamReader* params, ShapeContext* conte
   auto triangle = std::make_unique<Triangle>(a, b, c);
   const bool is_complete =
       params->Has("vertex0") && params->Has("vertex1") && params->Has("vertex2");
-  if (is_complete && !(LengthSquared(triangle->Normal()) > 0)) {
+  if (is_complete && triangle->normal_ == Vec3()) {
     context->diagnostics->Warning(context->where, "the triangle has no area and is left out");
     return nullptr;
   }
   return triangle;
-}
-
-Vec3 Triangle::Normal() const {
-  const Vec3d a = ToDouble(corners_[0]);
-  const Vec3d n = Cross(ToDouble(corners_[1]) - a, ToDouble(corners_[2]) - a);
-  const double length = Length(n);
-  return length > 0 ? ToFloat(n / length) : Vec3();
 }
 
 Bounds3 Triangle::ObjectBounds() const {
@@ -41,9 +33,9 @@ bool Triangle::Intersect(const Ray& ray, HitRecord* hit) const {
 }
 
 SurfacePoint Triangle::SurfaceAt(const Ray&, const HitRecord& hit) const {
-  const Vec3 n = Normal();
   return {TrianglePoint(corners_[0], corners_[1], corners_[2], hit.u, hit.v),
-          TrianglePointError(corners_[0], corners_[1], corners_[2], hit.u, hit.v), n, n};
+          TrianglePointError(corners_[0], corners_[1], corners_[2], hit.u, hit.v), normal_,
+          normal_};
 }
 
 }  // namespace candela

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 
+#include "geometry/triangle.h"
 #include "scene_spec/param_reader.h"
 #include "shapes/shape.h"
 
@@ -14,7 +15,7 @@ struct ShapeContext;
 /// seen counter-clockwise.
 class Triangle final : public Shape {
  public:
-  Triangle(Vec3 a, Vec3 b, Vec3 c) : corners_{a, b, c} {}
+  Triangle(Vec3 a, Vec3 b, Vec3 c) : corners_{a, b, c}, normal_(TriangleNormal(a, b, c)) {}
   /// Null, with a warning, for a triangle without area.
   static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
 
@@ -24,9 +25,8 @@ class Triangle final : public Shape {
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
-  Vec3 Normal() const;
-
   std::array<Vec3, 3> corners_;
+  Vec3 normal_;  ///< Of unit length; 0 without area.
 };
 
 }  // namespace candela

@@ -80,7 +80,12 @@ Image Render(const OwnPicture& picture) {
                                       options);
 }
 
+/// Writes the picture unless the file already shows the same: other bytes alone are no change.
 void Store(const fs::path& path, const Image& image) {
+  if (fs::exists(path)) {
+    const Image old = testing_support::ReadPictureOf(path);
+    if (testing_support::ThroughPng(image) == old) return;
+  }
   const Result<std::string> bytes = EncodeImage(image, ImageFormat::kPng);
   ASSERT_TRUE(bytes);
   ASSERT_TRUE(WriteFileAtomically(path, std::as_bytes(std::span(*bytes))));

@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "base/diagnostics.h"
+#include "film/encode_film.h"
 #include "image/image_file.h"
 #include "loaders/course/scene_parser.h"
 #include "render/render_job.h"
@@ -47,11 +46,7 @@ Image RenderImage(const Integrator& integrator, const RenderOptions& options) {
   RenderJob job(integrator, options);
   const CancelToken never;
   EXPECT_TRUE(job.Run(never));
-  Image image(options.crop.Width(), options.crop.Height(), 3);
-  for (int y = 0; y < image.Height(); ++y) {
-    std::ranges::copy(job.film().Row(options.crop.y0 + y), image.Row(y).begin());
-  }
-  return image;
+  return ToImage(job.film());
 }
 
 Image ThroughPng(const Image& image) {

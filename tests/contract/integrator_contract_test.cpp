@@ -1,0 +1,174 @@
+// What holds for every integrator, by way of the render job where it is about pictures.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "integrators/registry.h"
+#include "render/render_job.h"
+#include "tests/support/compile_text.h"
+#include "tests/support/estimate.h"
+
+namespace candela {
+namespace {
+
+using testing_support::CompileText;
+using testing_support::EstimateRadiance;
+using testing_support::kCamera;
+
+std::vector<IntegratorEntry> Rows(bool are_physical) {
+  std::vector<IntegratorEntry> rows;
+  for (const IntegratorEntry& entry : IntegratorEntries()) {
+    if (entry.is_physical == are_physical) rows.push_back(entry);
+  }
+  return rows;
+}
+
+// The furnace is not for these rows.
+TEST(IntegratorContract, TheseRowsAreNotPhysical) {
+  std::vector<std::string_view> names;
+  for (const IntegratorEntry& entry : Rows(false)) names.push_back(entry.name);
+  EXPECT_THAT(names, testing::ElementsAre("whitted"));
+}
+
+std::string RowName(const testing::TestParamInfo<IntegratorEntry>& row) {
+  return std::string(row.param.name);
+}
+
+std::unique_ptr<Integrator> Create(const IntegratorEntry& entry, const Scene& scene) {
+  IntegratorOptions options;
+  options.bounces = 6;
+  options.shadows = true;
+  auto integrator = entry.create(scene, options);
+  EXPECT_TRUE(integrator.ok());
+  return std::move(integrator).value();
+}
+
+class EveryIntegrator : public testing::TestWithParam<IntegratorEntry> {};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryIntegrator,
+                         testing::ValuesIn(IntegratorEntries().begin(), IntegratorEntries().end()),
+                         RowName);
+
+TEST_P(EveryIntegrator, CanBeAskedForByName) {
+  const auto scene = CompileText(std::string(kCamera) + "Scene { }");
+  EXPECT_TRUE(CreateIntegrator(GetParam().name, *scene, {}).ok());
+  EXPECT_FALSE(GetParam().summary.empty());
+}
+
+TEST_P(EveryIntegrator, AnEmptySceneShowsTheBackground) {
+  const auto scene = CompileText(
+      std::string(kCamera) + "Background { color 0.25 0.5 0.75 ambient_light 1 1 1 } Scene { }");
+  const auto integrator = Create(GetParam(), *scene);
+  const auto workspace = integrator->MakeWorkspace();
+  const SampleRequest requests[] = {{0, 0, 0, {0, 0}}, {5, 3, 1, {1, -1}}};
+  Spectrum radiance[2];
+  integrator->Trace(requests, workspace.get(), radiance);
+  EXPECT_EQ(radiance[0].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
+  EXPECT_EQ(radiance[1].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
+  EXPECT_EQ(workspace->rays.Total(), 2u);
+}
+
+/// Spheres on a floor, a lamp, a light: something for every integrator.
+std::unique_ptr<const Scene> StillLife() {
+  std::string spheres;
+  for (int i = 0; i < 9; ++i) {
+    spheres += "Node { Transform { translate " + std::to_string(i % 3 * 2 - 2) + " -0.5 " +
+               std::to_string(-4 - i / 3 * 2) +
+               " scale 0.8 0.5 0.8 } Component<Object> { type sphere radius 1 } "
+               "Component<Material> { index 0 } }\n";
+  }
+  return CompileText(
+      std::string(kCamera) +
+      "Background { color 0.2 0.3 0.5 ambient_light 0.1 0.1 0.1 }\n"
+      "Materials { Material { type diffuse albedo 0.8 0.6 0.4 } }\n"
+      "Scene { " +
+      spheres +
+      "Node { Component<Object> { type plane normal 0 1 0 offset -1 } "
+      "Component<Material> { index 0 } }\n"
+      "Node { Transform { translate 0 3 -5 } Component<Object> { type sphere radius 0.5 } "
+      "Component<Material> { index 0 } Component<Light> { type area radiance 4 3 2 } }\n"
+      "Node { Transform { translate 3 4 0 } Component<Light> { type point attenuation 0.1 } } }");
+}
+
+TEST_P(EveryIntegrator, ASampleDoesNotDependOnTheOthersOfItsList) {
+  const auto scene = StillLife();
+  const auto integrator = Create(GetParam(), *scene);
+  std::vector<SampleRequest> requests;
+  for (uint32_t i = 0; i < 500; ++i) {
+    const auto position = static_cast<float>(i) / 250;
+    requests.push_back({i % 20, i / 20, i % 3, {position - 1, 0.5f - position / 2}});
+  }
+  std::vector<Spectrum> together(requests.size());
+  const auto workspace = integrator->MakeWorkspace();
+  integrator->Trace(requests, workspace.get(), together);
+
+  std::reverse(requests.begin(), requests.end());
+  for (size_t i = 0; i < requests.size(); ++i) {
+    Spectrum alone;
+    integrator->Trace({&requests[i], 1}, integrator->MakeWorkspace().get(), {&alone, 1});
+    EXPECT_EQ(alone, together[requests.size() - 1 - i]);
+  }
+}
+
+std::vector<float> Render(const Integrator& integrator, int threads) {
+  const ThreadLimit limit(threads);
+  EXPECT_EQ(ThreadCount(), threads);
+  RenderOptions options;
+  options.width = 48;
+  options.height = 32;
+  options.crop = {0, 0, 48, 32};
+  options.pattern = SamplePattern::kFilter;
+  options.samples = 4;
+  options.tile_size = 8;
+  RenderJob job(integrator, options);
+  EXPECT_TRUE(job.Run(CancelToken()).ok());
+  EXPECT_EQ(job.film().DroppedSamples(), 0u);
+  std::vector<float> values;
+  for (int y = 0; y < options.height; ++y) {
+    values.insert(values.end(), job.film().Row(y).begin(), job.film().Row(y).end());
+  }
+  return values;
+}
+
+TEST_P(EveryIntegrator, GivesTheSameBitsForAnyNumberOfThreads) {
+  const auto scene = StillLife();
+  const auto integrator = Create(GetParam(), *scene);
+  const std::vector<float> alone = Render(*integrator, 1);
+  EXPECT_NE(alone.front(), alone[alone.size() / 2]) << "the picture shows nothing";
+  EXPECT_EQ(Render(*integrator, 2), alone);
+  EXPECT_EQ(Render(*integrator, 7), alone);
+}
+
+class EveryPhysicalIntegrator : public testing::TestWithParam<IntegratorEntry> {};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPhysicalIntegrator, testing::ValuesIn(Rows(true)), RowName);
+
+// Where everything reflects all light and the sky is 1, nothing can be seen: every ray finds 1.
+TEST_P(EveryPhysicalIntegrator, NothingIsVisibleInAFurnace) {
+  const auto scene = CompileText(
+      std::string(kCamera) +
+      "Background { color 1 1 1 ambient_light 0 0 0 }\n"
+      "Materials { Material { type diffuse albedo 1 1 1 } }\n"
+      "Scene { Node { Transform { translate 0 0 -3 } Component<Object> { type sphere radius 1 } "
+      "Component<Material> { index 0 } }\n"
+      "Node { Transform { translate 1.5 0 -2.5 scale 0.5 2 0.5 } "
+      "Component<Object> { type sphere radius 1 } Component<Material> { index 0 } }\n"
+      "Node { Component<Object> { type plane normal 0 1 0 offset -1 } "
+      "Component<Material> { index 0 } } }");
+  const auto integrator = GetParam().create(*scene, {});
+  ASSERT_TRUE(integrator.ok());
+  for (const Vec2 p : {Vec2{0.1f, 0}, Vec2{0.5f, 0.2f}, Vec2{0.4f, -0.6f}, Vec2{0.3f, -0.1f}}) {
+    const auto estimate = EstimateRadiance(**integrator, p, 64, 512);
+    EXPECT_NEAR(estimate.mean, 1, 0.002);
+    EXPECT_LE(estimate.error, 0.001);
+  }
+}
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,113 @@
+// What holds for every light: those without extent are sampled, the others are surfaces that shine.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "sampling/warp.h"
+#include "tests/contract/rows.h"
+#include "tests/sampling/chi_square.h"
+
+namespace candela {
+namespace {
+
+using contract::SceneOfLight;
+using test::UniformNumbers;
+
+std::vector<LightEntry> Rows(bool are_delta) {
+  std::vector<LightEntry> rows;
+  for (const LightEntry& entry : LightEntries()) {
+    if (SceneOfLight(entry.example)->lights()[0]->IsDelta() == are_delta) rows.push_back(entry);
+  }
+  return rows;
+}
+
+std::vector<std::string_view> Names(const std::vector<LightEntry>& rows) {
+  std::vector<std::string_view> names;
+  for (const LightEntry& entry : rows) names.push_back(entry.name);
+  return names;
+}
+
+// Which of the two sets of tests below applies to whom.
+TEST(LightContract, TheseRowsHaveNoExtent) {
+  EXPECT_THAT(Names(Rows(true)), testing::ElementsAre("point", "directional"));
+  EXPECT_THAT(Names(Rows(false)), testing::ElementsAre("area"));
+}
+
+bool IsRadiance(const Spectrum& radiance) {
+  for (int c = 0; c < 4; ++c) {
+    if (!std::isfinite(radiance[c]) || radiance[c] < 0) return false;
+  }
+  return true;
+}
+
+class EveryDeltaLight : public testing::TestWithParam<LightEntry> {
+ protected:
+  const std::unique_ptr<const Scene> scene_ = SceneOfLight(GetParam().example);
+  const Light& light_ = *scene_->lights()[0];
+  UniformNumbers random_{5};
+};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryDeltaLight, testing::ValuesIn(Rows(true)),
+                         contract::RowName<LightEntry>);
+
+TEST_P(EveryDeltaLight, SendsFiniteLightFromAUnitDirection) {
+  for (int i = 0; i < 10000; ++i) {
+    const float distance = std::ldexp(1.0f, i % 40 - 20);
+    const Vec3 p = SampleUniformSphere(random_.NextPair()) * distance;
+    const LightSample sample = light_.SampleIncident(p);
+    ASSERT_NEAR(Length(sample.direction), 1, 1e-6);
+    ASSERT_TRUE(IsRadiance(sample.radiance));
+    ASSERT_FALSE(sample.radiance.IsBlack()) << "it has no power";
+    ASSERT_GT(sample.distance, 0.0f);
+  }
+}
+
+// From two points the light is seen in the same place: where the two directions meet, or infinitely
+// far.
+TEST_P(EveryDeltaLight, IsInOnePlace) {
+  const Vec3 p{3, -1, 2}, q{-2, 5, 1};
+  const LightSample from_p = light_.SampleIncident(p), from_q = light_.SampleIncident(q);
+  if (from_p.distance == std::numeric_limits<float>::max()) {
+    EXPECT_EQ(from_p.direction, from_q.direction);
+    EXPECT_EQ(from_q.distance, from_p.distance);
+    return;
+  }
+  const Vec3 place = p + from_p.direction * from_p.distance;
+  EXPECT_LT(Length(place - (q + from_q.direction * from_q.distance)), 1e-5f);
+}
+
+TEST_P(EveryDeltaLight, IsNotSeenByRays) {
+  EXPECT_TRUE(light_.Emitted({}, {0, 0, 1}).IsBlack());
+  EXPECT_EQ(scene_->objects()[0].light, SceneObject::kNoLight);
+}
+
+class EveryAreaLight : public testing::TestWithParam<LightEntry> {
+ protected:
+  const std::unique_ptr<const Scene> scene_ = SceneOfLight(GetParam().example);
+  const Light& light_ = *scene_->lights()[0];
+};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryAreaLight, testing::ValuesIn(Rows(false)),
+                         contract::RowName<LightEntry>);
+
+TEST_P(EveryAreaLight, ShinesFromTheSurfaceOfItsNode) {
+  ASSERT_EQ(scene_->objects()[0].light, 0u);
+  const Ray ray({0, 0, 5}, {0, 0, -1});
+  HitRecord hit;
+  ASSERT_TRUE(scene_->Intersect(ray, &hit));
+  const Spectrum emitted = light_.Emitted(scene_->SurfaceAt(ray, hit), -ray.direction);
+  EXPECT_TRUE(IsRadiance(emitted));
+  EXPECT_FALSE(emitted.IsBlack()) << "it has no power";
+}
+
+TEST_P(EveryAreaLight, SendsNothingToBeSampled) {
+  EXPECT_TRUE(light_.SampleIncident({3, 4, 5}).radiance.IsBlack());
+}
+
+}  // namespace
+}  // namespace candela

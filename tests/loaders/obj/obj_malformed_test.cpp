@@ -114,10 +114,12 @@ TEST(ObjMalformed, NulByte) {
 }
 
 TEST(ObjMalformed, UnknownKeywordsAreToldOnceEach) {
-  EXPECT_THAT(Lines("usemat a\nusemat b\nV 1 2 3\nf 1 2 3"),
-              ElementsAre("a.obj:4:1: warning: unknown keyword 'usemat' (did you mean 'usemap'?); "
-                          "such lines are left out",
-                          "a.obj:6:1: warning: unknown keyword 'V'; such lines are left out"));
+  EXPECT_THAT(
+      Lines("usemat a\nusemat b\nV 1 2 3\nf 1 2 3"),
+      ElementsAre(
+          "a.obj:4:1: warning: unknown keyword 'usemat' (did you mean 'usemap'?); "
+          "such lines are left out",
+          "a.obj:6:1: warning: unknown keyword 'V' (did you mean 'v'?); such lines are left out"));
 }
 
 TEST(ObjMalformed, GeometryThatIsNotReadIsToldOncePerKeyword) {

@@ -14,10 +14,4 @@ ImagePlane::ImagePlane(int width, int height, PixelGrid grid, bool stretch)
   if (!stretch) x_.scale = x_.pixels / y_.pixels;
 }
 
-Vec2 ImagePlane::PointOf(int x, int y, Vec2 offset) const {
-  // The course counts rows from the bottom; with the same operations the result is the same float.
-  const auto row = static_cast<float>(height_ - 1 - y);
-  return {x_.Map(static_cast<float>(x) + offset.x), y_.Map(row - offset.y)};
-}
-
 }  // namespace candela

@@ -20,7 +20,12 @@ class ImagePlane {
 
   /// The image point of pixel (x, y), y counted from the top, moved by `offset` pixels from the
   /// pixel's centre, its y counted downwards. A side of one pixel maps to 0.
-  Vec2 PointOf(int x, int y, Vec2 offset) const;
+  Vec2 PointOf(int x, int y, Vec2 offset) const {
+    // The course counts rows from the bottom; with the same operations the result is the same
+    // float.
+    const auto row = static_cast<float>(height_ - 1 - y);
+    return {x_.Map(static_cast<float>(x) + offset.x), y_.Map(row - offset.y)};
+  }
 
  private:
   struct Axis {

@@ -13,6 +13,10 @@ bool IsUsable(float radiance) {
   return radiance >= 0 && radiance <= std::numeric_limits<float>::max();
 }
 
+bool IsUsable(Rgb radiance) {
+  return IsUsable(radiance.x) && IsUsable(radiance.y) && IsUsable(radiance.z);
+}
+
 size_t PixelCount(const PixelWindow& window) {
   return static_cast<size_t>(window.Width()) * static_cast<size_t>(window.Height());
 }
@@ -34,7 +38,7 @@ Rgb PixelSums::Mean() const {
 
 void FilmTile::Add(int x, int y, Rgb radiance, float weight) {
   DCHECK(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
-  if (!IsUsable(radiance.x) || !IsUsable(radiance.y) || !IsUsable(radiance.z)) {
+  if (!IsUsable(radiance)) {
     ++dropped_samples_;
     return;
   }
@@ -82,6 +86,23 @@ void Film::EndTile(const FilmTile& tile) {
     }
   }
   dropped_samples_.fetch_add(tile.dropped_samples_, std::memory_order_relaxed);
+}
+
+void Film::SetOnlySample(int x, int y, Rgb radiance) {
+  DCHECK(!sums_);
+  if (!IsUsable(radiance)) {
+    dropped_samples_.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  // 0, and floats from 2^-20 on, are multiples of what a sum resolves.
+  const auto developed = [](float value) {
+    const bool is_exact = value == 0 || (value >= 0x1p-20f && value <= ExactSum::kLargestTerm);
+    return is_exact ? value : static_cast<float>(ExactSum::OfOne(value));
+  };
+  float* colour = &colours_[3 * IndexOf(x, y)];
+  colour[0] = developed(radiance.x);
+  colour[1] = developed(radiance.y);
+  colour[2] = developed(radiance.z);
 }
 
 Rgb Film::Pixel(int x, int y) const {

@@ -99,6 +99,10 @@ class Film {
   /// Develops the pixels of the tile into the picture.
   void EndTile(const FilmTile& tile);
 
+  /// What a tile with one sample of weight 1 for this pixel gives, at a fraction of the cost. For a
+  /// film that keeps colours only; different pixels may be set at the same time.
+  void SetOnlySample(int x, int y, Rgb radiance);
+
   /// The colour of a pixel of the whole picture; black before its tile has ended.
   Rgb Pixel(int x, int y) const;
 

@@ -14,16 +14,19 @@ namespace candela {
 /// triangles is judged by the very same numbers for both.
 struct ShearedRay {
   Vec3 origin, direction;
-  int kx, ky, kz;  ///< Axes of the sheared space; kz is where the direction is largest.
-  float shear_x, shear_y;
+  /// The first two coordinates of the sheared space as functions of the difference to the origin.
+  /// Two components are 1 and 0 in some order, so a product with one of them rounds once.
+  Vec3 row_x, row_y;
 
   explicit ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
-    kz = LargestAxis(ray.direction);
-    kx = (kz + 1) % 3;
-    ky = (kx + 1) % 3;
+    const int kz = LargestAxis(ray.direction);
+    int kx = (kz + 1) % 3;
+    int ky = (kx + 1) % 3;
     if (ray.direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
-    shear_x = ray.direction[kx] / ray.direction[kz];
-    shear_y = ray.direction[ky] / ray.direction[kz];
+    row_x[kx] = 1;
+    row_x[kz] = -(ray.direction[kx] / ray.direction[kz]);
+    row_y[ky] = 1;
+    row_y[kz] = -(ray.direction[ky] / ray.direction[kz]);
   }
 };
 
@@ -46,12 +49,9 @@ inline Vec3 TriangleNormal(Vec3 a, Vec3 b, Vec3 c) {
 inline bool IntersectTriangle(const ShearedRay& ray, float t_min, Vec3 a, Vec3 b, Vec3 c,
                               HitRecord* hit) {
   const Vec3 to_a = a - ray.origin, to_b = b - ray.origin, to_c = c - ray.origin;
-  const float ax = to_a[ray.kx] - ray.shear_x * to_a[ray.kz];
-  const float ay = to_a[ray.ky] - ray.shear_y * to_a[ray.kz];
-  const float bx = to_b[ray.kx] - ray.shear_x * to_b[ray.kz];
-  const float by = to_b[ray.ky] - ray.shear_y * to_b[ray.kz];
-  const float cx = to_c[ray.kx] - ray.shear_x * to_c[ray.kz];
-  const float cy = to_c[ray.ky] - ray.shear_y * to_c[ray.kz];
+  const float ax = Dot(ray.row_x, to_a), ay = Dot(ray.row_y, to_a);
+  const float bx = Dot(ray.row_x, to_b), by = Dot(ray.row_y, to_b);
+  const float cx = Dot(ray.row_x, to_c), cy = Dot(ray.row_y, to_c);
 
   // Twice the signed areas that the ray's point spans with each edge. Rounding keeps the order of
   // two products, so a sign is right unless they round to the same: then the area is 0, or not a

@@ -69,9 +69,9 @@ Rgb WhittedIntegrator::Follow(Ray ray, RayCounts* rays, Observer* observer) cons
       observer->OnMiss(ray, background);
       return radiance + throughput * background;
     }
-    const SurfacePoint surface = scene_.SurfaceAt(ray, hit);
+    const SurfacePoint surface = scene_.ShadingAt(ray, hit);
     const PhongTerms terms = scene_.material(hit).Phong(surface);
-    const Vec3 p = ray.At(hit.t);
+    const Vec3 p = surface.p;
     const Vec3 n = surface.n_shading;
     const Vec3 eye = Normalize(ray.direction);
     observer->OnHit(ray, hit, n, terms);

@@ -25,7 +25,17 @@ class Bvh {
   /// `visit` returns true. Boxes that the ray misses by no more than the rounding error of the test
   /// are visited too, so no hit inside a box is lost. `*t_limit` is finite.
   template <class Visit>
-  void Traverse(const Ray& ray, const float* t_limit, Visit&& visit) const;
+  void Traverse(const Ray& ray, const float* t_limit, Visit&& visit) const {
+    TraversePlaces(ray, t_limit, [&](uint32_t place) { return visit(items_[place]); });
+  }
+
+  /// The same, but calls `visit(place)` with the item's place in `Items()`, for owners who keep
+  /// their items in that order, so that those of a leaf lie side by side in memory.
+  template <class Visit>
+  void TraversePlaces(const Ray& ray, const float* t_limit, Visit&& visit) const;
+
+  /// The items in the order of the leaves: place i of the tree holds `Items()[i]`.
+  std::span<const uint32_t> Items() const { return items_; }
 
   /// The box around everything.
   Bounds3 Bounds() const { return nodes_.empty() ? Bounds3() : nodes_[0].bounds; }
@@ -84,7 +94,7 @@ inline float Bvh::EntryOrMiss(const BoxRay& ray, const Bounds3& box, float t_lim
 }
 
 template <class Visit>
-void Bvh::Traverse(const Ray& ray, const float* t_limit, Visit&& visit) const {
+void Bvh::TraversePlaces(const Ray& ray, const float* t_limit, Visit&& visit) const {
   if (nodes_.empty()) return;
   const BoxRay box_ray(ray);
   struct Entry {
@@ -107,7 +117,7 @@ void Bvh::Traverse(const Ray& ray, const float* t_limit, Visit&& visit) const {
         continue;
       }
       for (uint32_t i = node.first; i < node.first + node.count; ++i) {
-        if (visit(items_[i])) return;
+        if (visit(i)) return;
       }
     }
     if (size == 0) return;

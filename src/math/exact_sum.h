@@ -32,6 +32,13 @@ class ExactSum {
     AddUnits(whole.integer, units.integer);
   }
 
+  /// The value of a sum of this one term.
+  static constexpr double OfOne(float term) {
+    ExactSum sum;
+    sum.Add(term);
+    return sum.ToDouble();
+  }
+
   /// Adds all terms of the other sum.
   constexpr ExactSum& operator+=(const ExactSum& other) {
     AddUnits(other.whole_, other.fraction_);

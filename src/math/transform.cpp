@@ -13,7 +13,8 @@ Transform::Transform(const Mat4& matrix)
     : x_(Column(matrix, 0)),
       y_(Column(matrix, 1)),
       z_(Column(matrix, 2)),
-      offset_(Column(matrix, 3)) {}
+      offset_(Column(matrix, 3)),
+      is_translation_(x_ == Vec3{1, 0, 0} && y_ == Vec3{0, 1, 0} && z_ == Vec3{0, 0, 1}) {}
 
 Vec3 Transform::PointError(Vec3 p, Vec3 p_error) const {
   constexpr float kRounding = 3e-7f;  // Three products and three sums: under 5 half-ulps.

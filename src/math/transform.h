@@ -13,8 +13,8 @@ class Transform {
   Transform() = default;
   explicit Transform(const Mat4& matrix);
 
-  Vec3 Point(Vec3 p) const { return x_ * p.x + y_ * p.y + z_ * p.z + offset_; }
-  Vec3 Vector(Vec3 v) const { return x_ * v.x + y_ * v.y + z_ * v.z; }
+  Vec3 Point(Vec3 p) const { return Vector(p) + offset_; }
+  Vec3 Vector(Vec3 v) const { return is_translation_ ? v : x_ * v.x + y_ * v.y + z_ * v.z; }
 
   /// Bound on the error of `Point(p)` in each coordinate, when `p` itself is known to `p_error`.
   Vec3 PointError(Vec3 p, Vec3 p_error) const;
@@ -26,6 +26,7 @@ class Transform {
  private:
   Vec3 x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1};  // columns: images of the axes
   Vec3 offset_;
+  bool is_translation_ = true;  ///< Most nodes only move things: then the linear part is left out.
 };
 
 }  // namespace candela

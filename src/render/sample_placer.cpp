@@ -26,7 +26,6 @@ SamplePlacer::SamplePlacer(const RenderOptions& options)
 }
 
 FilterSample SamplePlacer::PositionInPixel(int x, int y, uint32_t index) const {
-  if (pattern_ == SamplePattern::kCentre) return {};
   const Sampler sampler(seed_, static_cast<uint32_t>(x), static_cast<uint32_t>(y), index);
   const Vec2 u = sampler.Get2D(kFilmDimension);
   if (pattern_ == SamplePattern::kFilter) return filter_->Sample(u);
@@ -36,13 +35,6 @@ FilterSample SamplePlacer::PositionInPixel(int x, int y, uint32_t index) const {
   const Vec2 offset = (stratum + u) * (1.0f / kStrataPerSide) - Vec2{0.5f, 0.5f};
   const bool is_tent = pattern_ == SamplePattern::kStrataTent;
   return {offset, is_tent ? Tent(offset.x) * Tent(offset.y) : 1};
-}
-
-SamplePlacer::Placed SamplePlacer::Place(int x, int y, uint32_t index) const {
-  const FilterSample position = PositionInPixel(x, y, index);
-  return {{static_cast<uint32_t>(x), static_cast<uint32_t>(y), index,
-           plane_.PointOf(x, y, position.offset)},
-          position.weight};
 }
 
 SampleRequest SamplePlacer::Centre(int x, int y) const {

@@ -20,7 +20,13 @@ class SamplePlacer {
     SampleRequest request;
     float weight;
   };
-  Placed Place(int x, int y, uint32_t index) const;
+  Placed Place(int x, int y, uint32_t index) const {
+    const FilterSample position =
+        pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, y, index);
+    return {{static_cast<uint32_t>(x), static_cast<uint32_t>(y), index,
+             plane_.PointOf(x, y, position.offset)},
+            position.weight};
+  }
 
   /// The sample in the middle of the pixel, whatever the pattern.
   SampleRequest Centre(int x, int y) const;

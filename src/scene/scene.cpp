@@ -23,14 +23,14 @@ Ray Scene::ToObject(uint32_t object, const Ray& ray) const {
 }
 
 bool Scene::IntersectObject(uint32_t object, const Ray& ray, HitRecord* hit) const {
-  HitRecord candidate = *hit;
+  const float t_limit = hit->t;
   // Of equal distances the earlier object counts, whatever the order of the tree.
-  if (object < hit->object && hit->IsHit()) {
-    candidate.t = std::nextafter(hit->t, Bounds3::kInfinity);
+  if (object < hit->object && hit->IsHit()) hit->t = std::nextafter(t_limit, Bounds3::kInfinity);
+  if (!objects_[object].shape->Intersect(ToObject(object, ray), hit)) {
+    hit->t = t_limit;
+    return false;
   }
-  if (!objects_[object].shape->Intersect(ToObject(object, ray), &candidate)) return false;
-  candidate.object = object;
-  *hit = candidate;
+  hit->object = object;
   return true;
 }
 
@@ -60,6 +60,20 @@ bool Scene::Occluded(const Ray& ray) const {
   return found;
 }
 
+Vec3 Scene::NormalToWorld(uint32_t object, Vec3 n) const {
+  // Normals go by the inverse transpose.
+  return NormalizeAnyLength(objects_[object].object_from_world.TransposedVector(n));
+}
+
+SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
+  const Shape& shape = *objects_[hit.object].shape;
+  SurfacePoint point;
+  point.p = ray.At(hit.t);
+  point.n_shading =
+      NormalToWorld(hit.object, shape.SurfaceAt(ToObject(hit.object, ray), hit).n_shading);
+  return point;
+}
+
 SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
   const SurfacePoint local = object.shape->SurfaceAt(ToObject(hit.object, ray), hit);
@@ -68,12 +82,8 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   // A ray that leaves from here is taken back to object space, with a rounding error of its own.
   const Vec3 way_back = object.object_from_world.PointError(world.p, {});
   world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
-  // Normals go by the inverse transpose.
-  const auto to_world = [&](Vec3 n) {
-    return NormalizeAnyLength(object.object_from_world.TransposedVector(n));
-  };
-  world.n_geometric = to_world(local.n_geometric);
-  world.n_shading = to_world(local.n_shading);
+  world.n_geometric = NormalToWorld(hit.object, local.n_geometric);
+  world.n_shading = NormalToWorld(hit.object, local.n_shading);
   return world;
 }
 

@@ -45,6 +45,10 @@ class Scene {
   /// The hit point in world space, with unit normals.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
 
+  /// The hit as the course sees it, at a third of the cost: the point o + t d and the shading
+  /// normal. The geometric normal and the error bound stay 0, so no ray can be spawned from it.
+  SurfacePoint ShadingAt(const Ray& ray, const HitRecord& hit) const;
+
   const PerspectiveCamera& camera() const { return camera_; }
   const Background& background() const { return background_; }
   const std::vector<SceneObject>& objects() const { return objects_; }
@@ -66,6 +70,7 @@ class Scene {
   bool IntersectObject(uint32_t object, const Ray& ray, HitRecord* hit) const;
   bool IsOccludedBy(uint32_t object, const Ray& ray) const;
   Ray ToObject(uint32_t object, const Ray& ray) const;
+  Vec3 NormalToWorld(uint32_t object, Vec3 n) const;
 
   PerspectiveCamera camera_;
   Background background_;

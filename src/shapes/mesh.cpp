@@ -31,6 +31,7 @@ std::unique_ptr<Shape> Mesh::Create(ParamReader* params, ShapeContext* context) 
 
 Mesh::Mesh(std::shared_ptr<const MeshSpec> spec)
     : spec_(std::move(spec)), bvh_(TriangleBounds(*spec_)) {
+  PlaceTriangles();
   if (spec_->normal_corners.empty()) ComputeVertexNormals();
 }
 
@@ -56,21 +57,28 @@ Vec3 Mesh::CornerNormal(uint32_t triangle, size_t corner, Vec3 face_normal) cons
   return n == Vec3() ? face_normal : n;
 }
 
+void Mesh::PlaceTriangles() {
+  placed_.reserve(bvh_.Items().size());
+  for (const uint32_t index : bvh_.Items()) {
+    const auto& [a, b, c] = spec_->triangles[index];
+    placed_.push_back({spec_->positions[a], spec_->positions[b], spec_->positions[c], index});
+  }
+}
+
 bool Mesh::Intersect(const Ray& ray, HitRecord* hit) const {
   const ShearedRay sheared(ray);
   bool found = false;
-  bvh_.Traverse(ray, &hit->t, [&](uint32_t triangle) {
-    const auto& [a, b, c] = spec_->triangles[triangle];
-    HitRecord candidate = *hit;
+  bvh_.TraversePlaces(ray, &hit->t, [&](uint32_t place) {
+    const PlacedTriangle& triangle = placed_[place];
+    const float t_limit = hit->t;
     // Of equal distances the smaller index counts, whatever the order of the tree.
-    if (found && triangle < hit->primitive) {
-      candidate.t = std::nextafter(hit->t, Bounds3::kInfinity);
-    }
-    if (IntersectTriangle(sheared, ray.t_min, spec_->positions[a], spec_->positions[b],
-                          spec_->positions[c], &candidate)) {
-      candidate.primitive = triangle;
-      *hit = candidate;
+    const bool wins_ties = found && triangle.index < hit->primitive;
+    if (wins_ties) hit->t = std::nextafter(t_limit, Bounds3::kInfinity);
+    if (IntersectTriangle(sheared, ray.t_min, triangle.a, triangle.b, triangle.c, hit)) {
+      hit->primitive = triangle.index;
       found = true;
+    } else if (wins_ties) {
+      hit->t = t_limit;
     }
     return false;
   });
@@ -82,11 +90,9 @@ bool Mesh::Occludes(const Ray& ray) const {
   HitRecord hit;
   hit.t = ray.t_max;
   bool found = false;
-  bvh_.Traverse(ray, &ray.t_max, [&](uint32_t triangle) {
-    const auto& [a, b, c] = spec_->triangles[triangle];
-    found = IntersectTriangle(sheared, ray.t_min, spec_->positions[a], spec_->positions[b],
-                              spec_->positions[c], &hit);
-    return found;
+  bvh_.TraversePlaces(ray, &ray.t_max, [&](uint32_t place) {
+    const PlacedTriangle& triangle = placed_[place];
+    return found = IntersectTriangle(sheared, ray.t_min, triangle.a, triangle.b, triangle.c, &hit);
   });
   return found;
 }
@@ -106,8 +112,9 @@ SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
 
 uint64_t Mesh::MemoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return sizeof *this + bvh_.MemoryBytes() + bytes(vertex_normals_) + bytes(spec_->positions) +
-         bytes(spec_->normals) + bytes(spec_->triangles) + bytes(spec_->normal_corners);
+  return sizeof *this + bvh_.MemoryBytes() + bytes(placed_) + bytes(vertex_normals_) +
+         bytes(spec_->positions) + bytes(spec_->normals) + bytes(spec_->triangles) +
+         bytes(spec_->normal_corners);
 }
 
 }  // namespace candela

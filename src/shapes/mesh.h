@@ -29,6 +29,13 @@ class Mesh final : public Shape {
   uint64_t MemoryBytes() const override;
 
  private:
+  /// The corners of a triangle and its index in the file, in one place for the search.
+  struct PlacedTriangle {
+    Vec3 a, b, c;
+    uint32_t index;
+  };
+
+  void PlaceTriangles();
   void ComputeVertexNormals();
   Vec3 CornerNormal(uint32_t triangle, size_t corner, Vec3 face_normal) const;
 
@@ -36,6 +43,7 @@ class Mesh final : public Shape {
   std::vector<Vec3>
       vertex_normals_;  ///< Unit or 0, by position index; empty when the file has its own.
   Bvh bvh_;
+  std::vector<PlacedTriangle> placed_;  ///< In the order of the tree's leaves.
 };
 
 }  // namespace candela

@@ -14,8 +14,9 @@ struct RenderStatistics {
     double load = 0;    ///< Reading the scene and its meshes.
     double build = 0;   ///< Compiling it: textures and the search tree.
     double render = 0;  ///< Tracing rays.
-    double encode = 0;  ///< Turning pictures into the bytes of files.
-    double write = 0;   ///< Writing and syncing them.
+    double encode =
+        0;  ///< Turning pictures into files, as far as that was not done while rendering.
+    double write = 0;  ///< Writing and syncing them.
 
     double Total() const { return load + build + render + encode + write; }
   };

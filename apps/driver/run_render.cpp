@@ -122,17 +122,16 @@ class RenderRun {
 
   Result<void> RenderImage(const Integrator& integrator) {
     RenderJob job(integrator, request_.render);
+    FilmEncoder encoder(job.film(), *FormatOf(*request_.output), Encoding());
     const CancelToken never;
     auto done = Timed(&statistics_.seconds.render, [&] {
       const ProgressReporter progress(job, request_.quiet);
-      return job.Run(never);
+      return job.Run(never, &encoder);
     });
     if (!done) return done;
     statistics_.rays += job.Rays();
     statistics_.dropped_samples = job.film().DroppedSamples();
-    return Write(*request_.output, [&](ImageFormat format, const EncodeOptions& options) {
-      return EncodeFilm(job.film(), format, options);
-    });
+    return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
   }
 
   Result<void> WriteMaps() {
@@ -142,27 +141,31 @@ class RenderRun {
                             [&] { return RenderFirstHits(*loaded_->scene, request_.render); });
     statistics_.rays.camera += hits.size();
     if (request_.normals) {
-      const auto encode = [&](ImageFormat format, const EncodeOptions& options) {
-        return EncodeImage(NormalImage(hits, crop, format), format, options);
+      const auto encode = [&](ImageFormat format) {
+        return EncodeImage(NormalImage(hits, crop, format), format, Encoding());
       };
       if (auto written = Write(*request_.normals, encode); !written) return written;
     }
     if (request_.depth) {
-      const auto encode = [&](ImageFormat format, const EncodeOptions& options) {
-        return EncodeImage(DepthImage(hits, crop, *request_.depth, format), format, options);
+      const auto encode = [&](ImageFormat format) {
+        return EncodeImage(DepthImage(hits, crop, *request_.depth, format), format, Encoding());
       };
       if (auto written = Write(request_.depth->path, encode); !written) return written;
     }
     return {};
   }
 
+  EncodeOptions Encoding() const {
+    EncodeOptions options;
+    options.png_bits = request_.output_options.png_bits;
+    return options;
+  }
+
   /// `encode` gives the bytes of the file for its format.
   template <class Encode>
   Result<void> Write(const std::filesystem::path& path, Encode encode) {
-    EncodeOptions options;
-    options.png_bits = request_.output_options.png_bits;
     const Result<std::string> bytes =
-        Timed(&statistics_.seconds.encode, [&] { return encode(*FormatOf(path), options); });
+        Timed(&statistics_.seconds.encode, [&] { return encode(*FormatOf(path)); });
     if (!bytes) return bytes.error();
     return Timed(&statistics_.seconds.write, [&] { return WriteOutput(path, *bytes); });
   }

@@ -1,38 +1,43 @@
 #include "film/encode_film.h"
 
 #include <algorithm>
+#include <span>
 
-#include "base/parallel.h"
-#include "image/png_write.h"
 #include "image/quantise.h"
 
 namespace candela {
-namespace {
 
-/// A picture whose samples are what `convert` makes of those of the film.
-template <class T, class Convert>
-Raster<T> Develop(const Film& film, Convert convert) {
+Image ToImage(const Film& film) {
   const PixelWindow& window = film.Window();
-  Raster<T> picture(window.Width(), window.Height(), 3);
-  ParallelFor(window.Height(), [&](int64_t row) {
-    const int y = static_cast<int>(row);
-    std::ranges::transform(film.Row(window.y0 + y), picture.Row(y).begin(), convert);
-  });
+  Image picture(window.Width(), window.Height(), 3);
+  for (int y = 0; y < window.Height(); ++y) {
+    std::ranges::copy(film.Row(window.y0 + y), picture.Row(y).begin());
+  }
   return picture;
 }
 
-}  // namespace
-
-Image ToImage(const Film& film) {
-  return Develop<float>(film, [](float value) { return value; });
+FilmEncoder::FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options)
+    : film_(film), format_(format), options_(options) {
+  if (format != ImageFormat::kPng || options.png_bits != 8) return;
+  const PixelWindow& window = film.Window();
+  png_.emplace(window.Width(), window.Height(), 3, 8, PngEffort::kFast);
 }
 
-Result<std::string> EncodeFilm(const Film& film, ImageFormat format, const EncodeOptions& options) {
-  if (format == ImageFormat::kPng && options.png_bits == 8) {
+void FilmEncoder::Advance(int y_end) {
+  if (!png_) return;
+  for (; next_row_ < y_end; ++next_row_) {
+    const std::span<const float> row = film_.Row(film_.Window().y0 + next_row_);
+    bytes_.resize(row.size());
     // In a lambda, which is expanded in place where a pointer to the function would be called.
-    return EncodePng(Develop<uint8_t>(film, [](float value) { return QuantiseToByte(value); }));
+    std::ranges::transform(row, bytes_.begin(), [](float value) { return QuantiseToByte(value); });
+    png_->Add(std::as_bytes(std::span(bytes_)));
   }
-  return EncodeImage(ToImage(film), format, options);
+}
+
+Result<std::string> FilmEncoder::Finish() {
+  if (!png_) return EncodeImage(ToImage(film_), format_, options_);
+  Advance(film_.Window().Height());
+  return png_->Finish();
 }
 
 }  // namespace candela

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "film/film.h"
 #include "image/image_file.h"
+#include "image/png_write.h"
 #include "image/raster.h"
 
 namespace candela {
@@ -12,10 +15,28 @@ namespace candela {
 /// The picture of a film's window.
 Image ToImage(const Film& film);
 
-/// The same bytes as `EncodeImage(ToImage(film), format, options)`. The usual file, a PNG of 8
-/// bits, is made without the floats in between: fresh memory for them costs more than the
-/// conversion.
-Result<std::string> EncodeFilm(const Film& film, ImageFormat format,
-                               const EncodeOptions& options = {});
+/// Encodes a film while its lower rows are still being rendered: the usual file, a PNG of 8 bits,
+/// is compressed row by row. The others wait for the whole picture.
+class FilmEncoder {
+ public:
+  /// The film has to outlive it.
+  FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options);
+
+  /// Says that the rows before `y_end`, counted in the film's window, are final. Rows only get
+  /// more. Not to be called by two threads at a time.
+  void Advance(int y_end);
+
+  /// The bytes of the file, the same as `EncodeImage(ToImage(film), format, options)`; once, when
+  /// the film is done.
+  Result<std::string> Finish();
+
+ private:
+  const Film& film_;
+  ImageFormat format_;
+  EncodeOptions options_;
+  std::optional<PngRowEncoder> png_;
+  int next_row_ = 0;
+  std::vector<uint8_t> bytes_;  ///< Of one row.
+};
 
 }  // namespace candela

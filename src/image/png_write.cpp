@@ -5,6 +5,9 @@
 #include <zlib.h>
 
 #include <memory>
+#include <utility>
+
+#include "base/check.h"
 
 namespace candela {
 namespace {
@@ -32,37 +35,51 @@ Result<std::string> Encode(const Raster<T>& image, PngEffort effort) {
   if (image.IsEmpty() || image.Channels() > 4) {
     return Error{ErrorCode::kUsage, "a PNG file holds 1 to 4 channels and at least one pixel"};
   }
-  const std::unique_ptr<spng_ctx, void (*)(spng_ctx*)> context(spng_ctx_new(SPNG_CTX_ENCODER),
-                                                               &spng_ctx_free);
-  spng_ihdr header{};
-  header.width = static_cast<uint32_t>(image.Width());
-  header.height = static_cast<uint32_t>(image.Height());
-  header.bit_depth = 8 * sizeof(T);
-  header.color_type = kColours[image.Channels() - 1];
-  const Settings& settings = effort == PngEffort::kFast ? kFast : kSmall;
-
-  std::string file;
-  const std::span<const T> samples = image.Samples();
-  int code = spng_set_png_stream(context.get(), &Append, &file);
-  const auto set = [&](spng_option option, int value) {
-    if (code == SPNG_OK) code = spng_set_option(context.get(), option, value);
-  };
-  set(SPNG_FILTER_CHOICE, settings.filters);
-  set(SPNG_IMG_COMPRESSION_STRATEGY, settings.strategy);
-  set(SPNG_IMG_COMPRESSION_LEVEL, settings.level);
-  if (code == SPNG_OK) code = spng_set_ihdr(context.get(), &header);
-  if (code == SPNG_OK) {
-    code = spng_encode_image(context.get(), samples.data(), samples.size_bytes(), SPNG_FMT_PNG,
-                             SPNG_ENCODE_FINALIZE);
-  }
-  if (code != SPNG_OK) {
-    return Error{ErrorCode::kResources,
-                 fmt::format("the picture cannot be encoded: {}", spng_strerror(code))};
-  }
-  return file;
+  PngRowEncoder encoder(image.Width(), image.Height(), image.Channels(), 8 * sizeof(T), effort);
+  for (int y = 0; y < image.Height(); ++y) encoder.Add(std::as_bytes(image.Row(y)));
+  return encoder.Finish();
 }
 
 }  // namespace
+
+PngRowEncoder::PngRowEncoder(int width, int height, int channels, int bits, PngEffort effort)
+    : file_(std::make_unique<std::string>()),
+      context_(spng_ctx_new(SPNG_CTX_ENCODER), &spng_ctx_free) {
+  CHECK(width > 0 && height > 0 && channels >= 1 && channels <= 4 && (bits == 8 || bits == 16));
+  spng_ihdr header{};
+  header.width = static_cast<uint32_t>(width);
+  header.height = static_cast<uint32_t>(height);
+  header.bit_depth = static_cast<uint8_t>(bits);
+  header.color_type = kColours[channels - 1];
+  const Settings& settings = effort == PngEffort::kFast ? kFast : kSmall;
+
+  const auto then = [this](auto&& step) {
+    if (status_ == SPNG_OK) status_ = step();
+  };
+  const auto set = [&](spng_option option, int value) {
+    then([&] { return spng_set_option(context_.get(), option, value); });
+  };
+  status_ = spng_set_png_stream(context_.get(), &Append, file_.get());
+  set(SPNG_FILTER_CHOICE, settings.filters);
+  set(SPNG_IMG_COMPRESSION_STRATEGY, settings.strategy);
+  set(SPNG_IMG_COMPRESSION_LEVEL, settings.level);
+  then([&] { return spng_set_ihdr(context_.get(), &header); });
+  then([&] {
+    return spng_encode_image(context_.get(), nullptr, 0, SPNG_FMT_PNG,
+                             SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE);
+  });
+}
+
+void PngRowEncoder::Add(std::span<const std::byte> row) {
+  if (status_ == SPNG_OK) status_ = spng_encode_row(context_.get(), row.data(), row.size());
+}
+
+Result<std::string> PngRowEncoder::Finish() {
+  CHECK(status_ != SPNG_OK);  // The last row is answered with the end of the image.
+  if (status_ == SPNG_EOI) return std::move(*file_);
+  return Error{ErrorCode::kResources,
+               fmt::format("the picture cannot be encoded: {}", spng_strerror(status_))};
+}
 
 Result<std::string> EncodePng(const ByteImage& image, PngEffort effort) {
   return Encode(image, effort);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "render/row_feed.h"
 #include "render/sample_placer.h"
 #include "render/tiles.h"
 
@@ -85,13 +86,16 @@ uint64_t RenderJob::SamplesTotal() const {
   return PixelCount(options_.crop) * options_.samples;
 }
 
-Result<void> RenderJob::Run(const CancelToken& cancel) {
+Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder) {
   const SamplePlacer placer(options_);
   const Tiles tiles(options_.crop, options_.tile_size);
+  RowFeed feed(tiles, encoder);
   std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(ThreadCount()));
   for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
   ParallelForWorkers(tiles.Count(), [&](int64_t tile, int worker) {
-    if (!cancel.IsCancelled()) workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile));
+    if (cancel.IsCancelled()) return;
+    workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile));
+    if (!cancel.IsCancelled()) feed.TileDone(tile);
   });
   for (const auto& worker : workers) rays_ += worker->Rays();
   if (cancel.IsCancelled()) return Error{ErrorCode::kStopped, "stopped on request"};

@@ -5,6 +5,7 @@
 
 #include "base/cancel_token.h"
 #include "base/result.h"
+#include "film/encode_film.h"
 #include "film/film.h"
 #include "integrators/integrator.h"
 #include "render/render_options.h"
@@ -18,8 +19,9 @@ class RenderJob {
   /// Both have to outlive the job.
   RenderJob(const Integrator& integrator, const RenderOptions& options);
 
-  /// Runs to the end, or until `cancel` is set: then the error is `kStopped`. Once per job.
-  Result<void> Run(const CancelToken& cancel);
+  /// Runs to the end, or until `cancel` is set: then the error is `kStopped`. Once per job. An
+  /// `encoder` of the job's film, if there is one, gets rows as soon as they are done.
+  Result<void> Run(const CancelToken& cancel, FilmEncoder* encoder = nullptr);
 
   /// The picture: linear red, green and blue, unclamped, of the crop window.
   const Film& film() const { return film_; }

@@ -18,7 +18,14 @@ class Tiles {
   Tiles(const PixelWindow& window, int size)
       : window_(window), size_(size), columns_((int64_t{window.Width()} + size - 1) / size) {}
 
-  int64_t Count() const { return columns_ * ((int64_t{window_.Height()} + size_ - 1) / size_); }
+  int64_t Columns() const { return columns_; }
+  int64_t Rows() const { return (int64_t{window_.Height()} + size_ - 1) / size_; }
+  int64_t Count() const { return Columns() * Rows(); }
+
+  /// Where a row of tiles ends, counted from the top of the window.
+  int RowEnd(int64_t row) const {
+    return static_cast<int>(std::min<int64_t>((row + 1) * size_, window_.Height()));
+  }
 
   PixelWindow Window(int64_t tile) const {
     const int x0 = window_.x0 + static_cast<int>(tile % columns_) * size_;

@@ -58,7 +58,8 @@ TEST(Interruption, AKillLeavesTheOldContentOrTheNew) {
   // Writes once before the children start: on the portable platform they inherit the number drawn
   // then, and so find each other's leftover at once.
   Moments moments(path);
-  // A busy machine may keep the children from writing for long, so there is an upper limit far away.
+  // A busy machine may keep the children from writing for long, so there is an upper limit far
+  // away.
   int killed_while_writing = 0;
   for (int i = 0; i < 20 || (killed_while_writing == 0 && i < 2000); ++i) {
     Child child([&]() -> int { WriteForEver(path); });

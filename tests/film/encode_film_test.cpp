@@ -39,7 +39,7 @@ TEST(ToImage, HoldsThePixelsOfTheWindow) {
   }
 }
 
-TEST(EncodeFilm, GivesTheBytesOfItsImageInEveryFormat) {
+TEST(FilmEncoder, GivesTheBytesOfItsImageInEveryFormat) {
   const TestFilm test;
   const Film& film = test.film;
   for (const ImageFormat format :
@@ -47,7 +47,9 @@ TEST(EncodeFilm, GivesTheBytesOfItsImageInEveryFormat) {
     for (const int bits : {8, 16}) {
       EncodeOptions options;
       options.png_bits = bits;
-      const auto direct = EncodeFilm(film, format, options);
+      FilmEncoder encoder(film, format, options);
+      for (const int y_end : {0, 3, 3, 10}) encoder.Advance(y_end);
+      const auto direct = encoder.Finish();
       const auto by_image = EncodeImage(ToImage(film), format, options);
       ASSERT_TRUE(direct && by_image);
       EXPECT_TRUE(*direct == *by_image) << static_cast<int>(format) << ", " << bits << " bits";

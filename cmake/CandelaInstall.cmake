@@ -15,6 +15,7 @@ install(TARGETS candela_all candela_flags ${libraries} EXPORT CandelaTargets ARC
 # their names below include/candela/.
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela FILES_MATCHING PATTERN "*.h")
 install(FILES include/candela/candela.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY assets/ DESTINATION ${CMAKE_INSTALL_DATADIR}/candela/assets OPTIONAL)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Candela)

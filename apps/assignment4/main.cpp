@@ -61,5 +61,6 @@ int Run(std::span<const char* const> words) {
 
 int main(int argc, char** argv) {
   candela::ExitOnStopSignals();
-  return candela::Run(candela::WordsOf(argc, argv));
+  return candela::RunWithinMemory("assignment4",
+                                  [&] { return candela::Run(candela::WordsOf(argc, argv)); });
 }

@@ -55,7 +55,9 @@ std::string Verdict(const ImageDifference& difference, const Thresholds& allowed
   if (allowed.max_pixels && difference.differing > *allowed.max_pixels) {
     verdict += fmt::format("beyond: more than {} pixels differ\n", *allowed.max_pixels);
   }
-  if (allowed.max_difference && !(difference.LargestInLevels() <= *allowed.max_difference)) {
+  constexpr double kSlack = 1 + ImageDifference::kLevelSlack;
+  if (allowed.max_difference &&
+      !(difference.LargestInLevels() <= *allowed.max_difference * kSlack)) {
     verdict += fmt::format("beyond: a channel differs by more than {:.6g} levels\n",
                            *allowed.max_difference);
   }

@@ -64,6 +64,7 @@ int Run(Words words) {
     return PrintResult("candela", Help());
   }
   if (first != "help") return RunCommand(first, words.subspan(1));
+  if (words[1] == std::string_view("help")) return PrintResult("candela", Help());
   if (words.size() > 2) return UsageError(fmt::format("unexpected argument {}", Quote(words[2])));
   static constexpr const char* kExplain[] = {"--help"};
   return RunCommand(words[1], kExplain);
@@ -74,5 +75,6 @@ int Run(Words words) {
 
 int main(int argc, char** argv) {
   candela::ExitOnStopSignals();
-  return candela::Run(candela::WordsOf(argc, argv));
+  return candela::RunWithinMemory("candela",
+                                  [&] { return candela::Run(candela::WordsOf(argc, argv)); });
 }

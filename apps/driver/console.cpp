@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -31,6 +33,14 @@ int PrintError(std::string_view where, const Error& error) {
 
 void PrintWarning(std::string_view where, std::string_view message) {
   fmt::print(stderr, "{}: warning: {}\n", EscapeControl(where), message);
+}
+
+int RunWithinMemory(std::string_view program, const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const std::bad_alloc&) {
+    return PrintError(program, {ErrorCode::kResources, "the memory is not sufficient"});
+  }
 }
 
 }  // namespace candela

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 #include "base/result.h"
@@ -14,6 +15,9 @@ int PrintResult(std::string_view program, std::string_view text);
 
 /// Prints "where: error: message" on stderr and returns the exit status that belongs to the error.
 int PrintError(std::string_view where, const Error& error);
+
+/// The exit status of `run`, or that of a lack of memory, with a message, when there is one.
+int RunWithinMemory(std::string_view program, const std::function<int()>& run);
 
 /// Prints "where: warning: message" on stderr.
 void PrintWarning(std::string_view where, std::string_view message);

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,6 +49,7 @@ class RenderRun {
         CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
     if (request_.explain) return Explain(**integrator);
+    WarnOfUnseenLights();
     if (request_.output) {
       if (auto written = RenderImage(**integrator); !written) return written;
     }
@@ -96,6 +96,19 @@ class RenderRun {
     return {};
   }
 
+  /// The course's model has no light from surfaces; a picture that stays dark because of that
+  /// should not puzzle anyone.
+  void WarnOfUnseenLights() const {
+    if (request_.integrator != "whitted") return;
+    for (const auto& light : loaded_->scene->lights()) {
+      if (light->IsDelta()) continue;
+      PrintWarning(request_.program,
+                   "area lights shine but light nothing in 'whitted'; 'candela render "
+                   "--integrator path' follows their light");
+      return;
+    }
+  }
+
   Result<void> CheckMemory() const {
     const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth);
     const uint64_t available = AvailableMemory();
@@ -131,6 +144,10 @@ class RenderRun {
     if (!done) return done;
     statistics_.rays += job.Rays();
     statistics_.dropped_samples = job.film().DroppedSamples();
+    if (statistics_.dropped_samples > 0) {
+      PrintWarning(request_.program, fmt::format("{} samples were not finite and are left out",
+                                                 statistics_.dropped_samples));
+    }
     return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
   }
 
@@ -190,19 +207,11 @@ class RenderRun {
   RenderStatistics statistics_;
 };
 
-Result<void> RunGuarded(const RenderRequest& request) {
-  try {
-    const ThreadLimit threads(request.threads);
-    return RenderRun(request).Run();
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kResources, "the memory is not sufficient"};
-  }
-}
-
 }  // namespace
 
 int RunRender(const RenderRequest& request) {
-  const Result<void> done = RunGuarded(request);
+  const ThreadLimit threads(request.threads);
+  const Result<void> done = RenderRun(request).Run();
   if (done) return 0;
   // Without a message everything has been said.
   if (done.error().message.empty()) return static_cast<int>(done.error().code);

@@ -1,6 +1,7 @@
 #include "film/film.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/check.h"
@@ -8,9 +9,10 @@
 namespace candela {
 namespace {
 
-/// Written so that NaN is not usable.
+/// Written so that NaN is not usable. Negative light is: the course's model knows lights that take
+/// away, and a channel below 0 is not to darken the others.
 bool IsUsable(float radiance) {
-  return radiance >= 0 && radiance <= std::numeric_limits<float>::max();
+  return std::abs(radiance) <= std::numeric_limits<float>::max();
 }
 
 bool IsUsable(Rgb radiance) {

@@ -62,7 +62,7 @@ struct PixelSums {
 class FilmTile {
  public:
   /// Adds a sample of the pixel (x, y) of the whole picture, which must lie in the tile's window. A
-  /// radiance with a NaN, infinite or negative component is dropped, weight included, and counted.
+  /// radiance with a NaN or infinite component is dropped, weight included, and counted.
   void Add(int x, int y, Rgb radiance, float weight);
 
   const PixelWindow& Window() const { return window_; }
@@ -109,7 +109,7 @@ class Film {
   /// Red, green, blue of the pixels of a row, from left to right; y counts in the whole picture.
   std::span<const float> Row(int y) const;
 
-  /// How many samples were dropped so far because they were not finite or negative.
+  /// How many samples were dropped so far because they were not finite.
   uint64_t DroppedSamples() const { return dropped_samples_.load(std::memory_order_relaxed); }
 
  private:

@@ -50,8 +50,7 @@ Result<ImageDifference> CompareImages(const Image& a, const Image& b) {
     const auto [wide_a, wide_b] = WithCommonChannels(a, b);
     return CompareImages(wide_a, wide_b);
   }
-  // The values of bytes are rounded, so the distance of neighbours may exceed 1/255 by a trifle.
-  constexpr double kOneLevel = (1 + 1e-4) / 255;
+  constexpr double kOneLevel = (1 + ImageDifference::kLevelSlack) / 255;
   ImageDifference result;
   result.pixels = a.PixelCount();
   double sum = 0;

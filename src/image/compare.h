@@ -19,6 +19,10 @@ struct ImageDifference {
 
   bool IsEqual() const { return differing == 0; }
   double LargestInLevels() const { return 255 * largest; }
+
+  /// The values of bytes are rounded when they become floats, so the distance of two of them may
+  /// exceed a whole number of levels by a trifle; this much of it does not count.
+  static constexpr double kLevelSlack = 1e-4;
 };
 
 /// Compares pictures of the same size; another size is an error. Where the channels differ, grey is

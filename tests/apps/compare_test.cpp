@@ -63,6 +63,21 @@ TEST_F(CompareTest, ThresholdsDecideTheExitStatus) {
   EXPECT_EQ(end.err, "");
 }
 
+// The values of bytes are rounded floats; their distance is a whole number of levels all the same.
+TEST_F(CompareTest, WholeLevelsAreWithinThatManyLevels) {
+  for (const int levels : {1, 3, 100}) {
+    for (const int value : {0, 7, 155}) {
+      Write("a.png", Image(1, 1, 3, static_cast<float>(value) / 255));
+      Write("b.png", Image(1, 1, 3, static_cast<float>(value + levels) / 255));
+      const auto status = [&](double allowed) {
+        return Compare({"a.png", "b.png", "--max-difference", std::to_string(allowed)}).status;
+      };
+      EXPECT_EQ(status(levels), 0) << value << ", " << levels;
+      EXPECT_EQ(status(levels - 0.5), 6) << value << ", " << levels;
+    }
+  }
+}
+
 TEST_F(CompareTest, WritesAPictureOfTheDifferences) {
   EXPECT_EQ(Compare({"a.pfm", "b.pfm", "--difference", "d.pfm"}).status, 0);
   EXPECT_EQ(Picture("d.pfm").At(1, 1, 2), 0.25f);

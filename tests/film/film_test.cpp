@@ -147,7 +147,7 @@ TEST(Film, BrokenSamplesAreDroppedWithTheirWeightAndCounted) {
   FilmTile tile;
   film.BeginTile({0, 0, 1, 1}, &tile);
   tile.Add(0, 0, {1, 2, 3}, 1);
-  for (const float broken : {kNaN, kInf, -kInf, -1e-30f}) {
+  for (const float broken : {kNaN, kInf, -kInf, -kNaN}) {
     tile.Add(0, 0, {broken, 1, 1}, 1);
     tile.Add(0, 0, {1, broken, 1}, -1);
     tile.Add(0, 0, {1, 1, broken}, 1);
@@ -169,6 +169,20 @@ TEST(Film, PixelsWithoutSamplesAreBlack) {
   tile.Add(3, 2, {kNaN, 1, 1}, 1);
   film.EndTile(tile);
   for (const float value : Bytes(film)) EXPECT_EQ(value, 0);
+}
+
+// A light of negative colour takes away in one channel and leaves the others alone.
+TEST(Film, NegativeChannelsStayAsTheyAre) {
+  const PixelWindow window{0, 0, 2, 1};
+  Film film(window, Film::Keep::kColours);
+  FilmTile tile;
+  film.BeginTile(window, &tile);
+  tile.Add(0, 0, {-0.5f, 2, 0}, 1);
+  film.EndTile(tile);
+  film.SetOnlySample(1, 0, {-0.5f, 2, 0});
+  EXPECT_EQ(film.Pixel(0, 0), (Rgb{-0.5f, 2, 0}));
+  EXPECT_EQ(film.Pixel(1, 0), (Rgb{-0.5f, 2, 0}));
+  EXPECT_EQ(film.DroppedSamples(), 0u);
 }
 
 }  // namespace

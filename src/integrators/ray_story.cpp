@@ -65,4 +65,9 @@ void RayStory::OnEnd(const char* why) {
   Add(why);
 }
 
+void RayStory::OnResult(Rgb colour) {
+  depth_ = 0;
+  Add("all together: " + ToText(colour));
+}
+
 }  // namespace candela

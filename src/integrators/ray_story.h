@@ -25,6 +25,9 @@ class RayStory {
   void OnMiss(const Ray& ray, Rgb background);
   void OnEnd(const char* why);
 
+  /// What the whole tree of rays comes to.
+  void OnResult(Rgb colour);
+
   std::vector<std::string> TakeLines() { return std::move(lines_); }
 
  private:

@@ -54,7 +54,7 @@ void WhittedIntegrator::Trace(std::span<const SampleRequest> samples, Workspace*
 std::vector<std::string> WhittedIntegrator::Explain(const SampleRequest& sample) const {
   RayStory story(scene_);
   RayCounts rays;
-  Follow(scene_.camera().GenerateRay(sample.image_point), &rays, &story);
+  story.OnResult(Follow(scene_.camera().GenerateRay(sample.image_point), &rays, &story));
   return story.TakeLines();
 }
 

@@ -4,12 +4,16 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <new>
 #include <random>
 
 namespace candela::platform {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::align_val_t kPage{4096};
 
 /// Writes and closes. Expects that `errno` was 0 before the stream was opened.
 std::error_code Finish(std::ofstream* stream, std::span<const std::byte> bytes) {
@@ -72,6 +76,19 @@ void RemoveFile(const char* path) noexcept {
 
 uint64_t PeakMemory() {
   return 0;
+}
+
+void* AllocatePages(size_t bytes) {
+  void* data = ::operator new(bytes, kPage, std::nothrow);
+  return data ? std::memset(data, 0, bytes) : nullptr;
+}
+
+size_t ShrinkPages(void*, size_t bytes, size_t) {
+  return bytes;
+}
+
+void FreePages(void* data, size_t) {
+  ::operator delete(data, kPage);
 }
 
 bool IsErrorTerminal() {

@@ -3,10 +3,12 @@
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 
 namespace candela::platform {
@@ -92,6 +94,29 @@ uint64_t PeakMemory() {
   constexpr uint64_t kUnit = 1024;
 #endif
   return static_cast<uint64_t>(usage.ru_maxrss) * kUnit;
+}
+
+void* AllocatePages(size_t bytes) {
+  void* data = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (data == MAP_FAILED) return nullptr;
+#ifdef MADV_HUGEPAGE
+  // Only advice: where it is not taken, things are slower.
+  static_cast<void>(::madvise(data, bytes, MADV_HUGEPAGE));
+#endif
+  return data;
+}
+
+size_t ShrinkPages(void* data, size_t bytes, size_t kept) {
+  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  const size_t used = std::min(bytes, std::max(page, (kept + page - 1) / page * page));
+  const bool is_freed =
+      used == bytes || ::munmap(static_cast<std::byte*>(data) + used, bytes - used) == 0;
+  return is_freed ? used : bytes;
+}
+
+void FreePages(void* data, size_t bytes) {
+  ::munmap(data, bytes);
 }
 
 bool IsErrorTerminal() {

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/bounds3.h"
+#include "geometry/ray.h"
+#include "kernel/arena.h"
+#include "kernel/isa.h"
+#include "kernel/primitive_set.h"
+#include "kernel/record.h"
+#include "math/mat4.h"
+
+namespace candela {
+class Group;
+}
+
+namespace candela::kernel {
+
+struct TraceFunctions;
+
+/// What a search has to know of an item beyond the records.
+struct ItemFacts {
+  uint32_t mask = kAnyRay;
+  const HitFilter* filter = nullptr;
+  const PrimitiveSet* set = nullptr;
+  std::shared_ptr<const Group> group;
+  std::vector<Mat4> steps;  ///< Of a moving instance, one matrix for each time step; else empty.
+};
+
+/// A built group: the tree and what its searches need. `BuildGroup` makes it.
+struct GroupData {
+  static constexpr Reference kNothing = 0xFFFFFFFF;
+
+  Arena records;
+  Reference root = kNothing;  ///< A node, or a leaf where there is only one; kNothing without items.
+  /// The index, in its item, of each triangle of the leaves: see `TriangleLeaf::first`.
+  std::vector<uint32_t> triangle_ids;
+  std::vector<ItemFacts> items;
+  /// Leaves of primitives and instances that have no box; they stand beside the tree.
+  std::vector<Reference> unbounded;
+
+  Bounds3 bounds;  ///< Of everything in the tree, at all times.
+  int width = 8;   ///< Children of a node: WideNode<width>.
+  int depth = 0;   ///< Nodes on the longest way down from the root.
+  int levels = 1;  ///< Of groups in groups, this one included.
+  /// Entries that a search may have to keep at once, groups inside included.
+  uint32_t stack_need = 0;
+
+  Isa isa = Isa::kScalar;
+  const TraceFunctions* trace = nullptr;
+};
+
+/// Groups in groups below the outermost one, and entries on the stack of a search, at most. The
+/// builder keeps within them.
+constexpr int kMostLevels = 1 + HitRecord::kMostNested;
+constexpr uint32_t kMostTreeStack = 200;  ///< Of one tree.
+constexpr uint32_t kMostStack = kMostLevels * (kMostTreeStack + 2);
+
+}  // namespace candela::kernel

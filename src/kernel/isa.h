@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace candela {
+
+/// The instruction sets that the kernel is compiled for. All give the same bits.
+enum class Isa { kScalar, kAvx2, kAvx512 };
+
+/// Whether this processor, and its system, can run it.
+bool IsSupported(Isa isa);
+
+/// The best one that is supported, or the one that was forced.
+Isa DefaultIsa();
+
+/// Makes `DefaultIsa` return `isa`, which has to be supported; for tests. Call it before anything
+/// is built.
+void ForceIsa(Isa isa);
+
+/// "scalar", "avx2", "avx512".
+std::string_view IsaName(Isa isa);
+std::optional<Isa> FindIsa(std::string_view name);
+
+}  // namespace candela

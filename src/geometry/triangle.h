@@ -14,19 +14,23 @@ namespace candela {
 /// triangles is judged by the very same numbers for both.
 struct ShearedRay {
   Vec3 origin, direction;
-  /// The first two coordinates of the sheared space as functions of the difference to the origin.
-  /// Two components are 1 and 0 in some order, so a product with one of them rounds once.
-  Vec3 row_x, row_y;
+  int kx = 0, ky = 1, kz = 2;  ///< The axes in a new order; z is the one that the ray follows most.
+  float shear_x = 0, shear_y = 0;
 
-  explicit ShearedRay(const Ray& ray) : origin(ray.origin), direction(ray.direction) {
-    const int kz = LargestAxis(ray.direction);
-    int kx = (kz + 1) % 3;
-    int ky = (kx + 1) % 3;
+  ShearedRay() = default;
+  explicit ShearedRay(const Ray& ray)
+      : origin(ray.origin), direction(ray.direction), kz(LargestAxis(ray.direction)) {
+    kx = kz == 2 ? 0 : kz + 1;
+    ky = kx == 2 ? 0 : kx + 1;
     if (ray.direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
-    row_x[kx] = 1;
-    row_x[kz] = -(ray.direction[kx] / ray.direction[kz]);
-    row_y[ky] = 1;
-    row_y[kz] = -(ray.direction[ky] / ray.direction[kz]);
+    shear_x = -(ray.direction[kx] / ray.direction[kz]);
+    shear_y = -(ray.direction[ky] / ray.direction[kz]);
+  }
+
+  /// Where the ray's line meets the plane through `p` is the origin of these coordinates.
+  Vec2 Shear(Vec3 p) const {
+    const Vec3 to_p = p - origin;
+    return {to_p[kx] + to_p[kz] * shear_x, to_p[ky] + to_p[kz] * shear_y};
   }
 };
 
@@ -44,54 +48,67 @@ inline Vec3 TriangleNormal(Vec3 a, Vec3 b, Vec3 c) {
   return length > 0 ? ToFloat(n / length) : Vec3();
 }
 
+/// Twice the signed areas that the ray's point spans with each edge, `a` opposite to corner a.
+/// Rounding keeps the order of two products, so a sign is right unless they round to the same: then
+/// the area is 0, or not a number when they overflow.
+struct EdgeAreas {
+  float a, b, c;
+
+  /// Whether the point certainly lies outside of one edge and inside of another.
+  bool AreMixed() const { return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0); }
+};
+
+/// Where a ray meets a triangle.
+struct TriangleHit {
+  float t;
+  float u, v;  ///< Barycentric weights of the second and third corner.
+};
+
+/// The weights from products in double, which are exact, and whose range is wide enough for all
+/// floats. False when the point lies outside after all, or the triangle is seen edge-on.
+bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHit* hit);
+
+/// Weights and distance for a triangle whose areas are not mixed; false when it is a miss after all.
+/// Always inlined, since it is compiled for several instruction sets.
+[[gnu::always_inline]] inline bool FinishTriangle(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c,
+                                                  const EdgeAreas& areas, TriangleHit* hit) {
+  // The distance to the plane, in double: blending the corners' depths is wrong by the rounding of
+  // the triangle's size, so that rays which leave a large triangle would hit it again.
+  const double ax = a.x, ay = a.y, az = a.z;
+  const double e1x = b.x - ax, e1y = b.y - ay, e1z = b.z - az;
+  const double e2x = c.x - ax, e2y = c.y - ay, e2z = c.z - az;
+  const double nx = e1y * e2z - e1z * e2y;
+  const double ny = e1z * e2x - e1x * e2z;
+  const double nz = e1x * e2y - e1y * e2x;
+  const double height =
+      nx * (ax - ray.origin.x) + ny * (ay - ray.origin.y) + nz * (az - ray.origin.z);
+  const double approach =
+      nx * ray.direction.x + ny * ray.direction.y + nz * ray.direction.z;
+  hit->t = static_cast<float>(height / approach);
+
+  const float sum = areas.a + areas.b + areas.c;
+  const bool is_on_edge = areas.a == 0 || areas.b == 0 || areas.c == 0;
+  if (is_on_edge || !(std::abs(sum) > 1e-37f && std::abs(sum) < 1e37f)) {
+    return ExactBarycentrics(ray, a, b, c, hit);
+  }
+  hit->u = areas.b / sum;
+  hit->v = areas.c / sum;
+  return true;
+}
+
 /// Looks for a hit of the closed triangle, from either side, with `t_min <= t < hit->t`. On success
 /// stores t and the barycentric weights u of `b` and v of `c`; on a miss leaves `*hit` as it was.
 inline bool IntersectTriangle(const ShearedRay& ray, float t_min, Vec3 a, Vec3 b, Vec3 c,
                               HitRecord* hit) {
-  const Vec3 to_a = a - ray.origin, to_b = b - ray.origin, to_c = c - ray.origin;
-  const float ax = Dot(ray.row_x, to_a), ay = Dot(ray.row_y, to_a);
-  const float bx = Dot(ray.row_x, to_b), by = Dot(ray.row_y, to_b);
-  const float cx = Dot(ray.row_x, to_c), cy = Dot(ray.row_y, to_c);
-
-  // Twice the signed areas that the ray's point spans with each edge. Rounding keeps the order of
-  // two products, so a sign is right unless they round to the same: then the area is 0, or not a
-  // number when they overflow.
-  float area_a = cx * by - cy * bx;
-  float area_b = ax * cy - ay * cx;
-  float area_c = bx * ay - by * ax;
-  const auto are_on_both_sides = [](auto p, auto q, auto r) {
-    return (p < 0 || q < 0 || r < 0) && (p > 0 || q > 0 || r > 0);
-  };
-  if (are_on_both_sides(area_a, area_b, area_c)) return false;
-
-  const float sum = area_a + area_b + area_c;
-  const bool is_on_edge = area_a == 0 || area_b == 0 || area_c == 0;
-  float u, v;
-  if (!is_on_edge && std::abs(sum) > 1e-37f && std::abs(sum) < 1e37f) {
-    u = area_b / sum;
-    v = area_c / sum;
-  } else {
-    // In double the products are exact, and their range is wide enough for all floats.
-    const auto area = [](double px, double py, double qx, double qy) { return px * qy - py * qx; };
-    const double exact_a = area(cx, cy, bx, by);
-    const double exact_b = area(ax, ay, cx, cy);
-    const double exact_c = area(bx, by, ax, ay);
-    if (are_on_both_sides(exact_a, exact_b, exact_c)) return false;
-    const double exact_sum = exact_a + exact_b + exact_c;
-    if (exact_sum == 0) return false;  // Seen edge-on.
-    u = static_cast<float>(exact_b / exact_sum);
-    v = static_cast<float>(exact_c / exact_sum);
-  }
-
-  // The distance to the plane, in double: blending the corners' depths is wrong by the rounding of
-  // the triangle's size, so that rays which leave a large triangle would hit it again.
-  const Vec3d n = TriangleCross(a, b, c);
-  const auto t = static_cast<float>(Dot(n, ToDouble(a) - ToDouble(ray.origin)) /
-                                    Dot(n, ToDouble(ray.direction)));
-  if (!(t >= t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
-  hit->t = t;
-  hit->u = u;
-  hit->v = v;
+  const Vec2 pa = ray.Shear(a), pb = ray.Shear(b), pc = ray.Shear(c);
+  const EdgeAreas areas = {pc.x * pb.y - pc.y * pb.x, pa.x * pc.y - pa.y * pc.x,
+                           pb.x * pa.y - pb.y * pa.x};
+  TriangleHit found;
+  if (areas.AreMixed() || !FinishTriangle(ray, a, b, c, areas, &found)) return false;
+  if (!(found.t >= t_min && found.t < hit->t)) return false;  // Written so that NaN is a miss.
+  hit->t = found.t;
+  hit->u = found.u;
+  hit->v = found.v;
   return true;
 }
 

@@ -47,6 +47,7 @@ struct GroupData {
   int levels = 1;  ///< Of groups in groups, this one included.
   /// Entries that a search may have to keep at once, groups inside included.
   uint32_t stack_need = 0;
+  float largest_coordinate = 0;  ///< Of `bounds`, by magnitude.
 
   Isa isa = Isa::kScalar;
   const TraceFunctions* trace = nullptr;

@@ -1,0 +1,87 @@
+#include "kernel/group.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "base/check.h"
+#include "kernel/build_group.h"
+#include "kernel/trace_functions.h"
+
+namespace candela {
+namespace {
+
+const kernel::TraceFunctions& FunctionsOf(Isa isa) {
+#ifdef CANDELA_X86
+  if (isa == Isa::kAvx512) return kernel::kAvx512Functions;
+  if (isa == Isa::kAvx2) return kernel::kAvx2Functions;
+#endif
+  CHECK(isa == Isa::kScalar);
+  return kernel::kScalarFunctions;
+}
+
+float LargestCoordinate(const Bounds3& bounds) {
+  if (bounds.IsEmpty()) return 0;
+  const Vec3 largest = Max(Abs(bounds.min), Abs(bounds.max));
+  return std::max({largest.x, largest.y, largest.z});
+}
+
+const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the search tree"};
+
+}  // namespace
+
+Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions& options) {
+  const kernel::TraceFunctions& functions = FunctionsOf(options.isa);
+  try {
+    auto data =
+        kernel::BuildGroup(input, options.quality, functions.width, options.cancel);
+    if (!data) return data.error();
+    data->isa = options.isa;
+    data->trace = &functions;
+    data->largest_coordinate = LargestCoordinate(data->bounds);
+    return std::unique_ptr<Group>(new Group(std::move(*data)));
+  } catch (const std::bad_alloc&) {
+    return kNoMemory;
+  }
+}
+
+bool Group::Intersect(const Ray& ray, HitRecord* hit) const {
+  return data_.trace->intersect(data_, ray, hit);
+}
+
+bool Group::Occluded(const Ray& ray) const {
+  return data_.trace->occluded(data_, ray);
+}
+
+void Group::Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const {
+  CHECK(rays.size() == hits.size());
+  const auto intersect = order == RayOrder::kCoherent ? data_.trace->intersect_coherent
+                                                      : data_.trace->intersect_scattered;
+  intersect(data_, rays.data(), hits.data(), rays.size());
+}
+
+void Group::Occluded(RayOrder order, std::span<const Ray> rays,
+                     std::span<uint8_t> occluded) const {
+  CHECK(rays.size() == occluded.size());
+  const auto test = order == RayOrder::kCoherent ? data_.trace->occluded_coherent
+                                                 : data_.trace->occluded_scattered;
+  test(data_, rays.data(), occluded.data(), rays.size());
+}
+
+Result<void> Group::Refit(const GroupInput& input) {
+  try {
+    auto done = kernel::RefitGroup(input, &data_);
+    data_.largest_coordinate = LargestCoordinate(data_.bounds);
+    return done;
+  } catch (const std::bad_alloc&) {
+    return kNoMemory;
+  }
+}
+
+uint64_t Group::MemoryBytes() const {
+  return data_.records.size() * sizeof(kernel::Record) +
+         data_.triangle_ids.capacity() * sizeof(uint32_t);
+}
+
+}  // namespace candela

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "kernel/search.h"
+
+namespace candela::kernel {
+
+/// The map into a moving instance's group at a time. Compiled once, for all instruction sets.
+Transform GroupFromWorldAt(const ItemFacts& facts, float time);
+
+/// Takes the ray into the group of an instance: the group's tree goes on the stack above a mark, and
+/// t stays what it is.
+template <class L>
+void EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
+  const ItemFacts& facts = search->group->items[leaf.item];
+  if ((facts.mask & search->asked->mask) == 0) return;
+  const Ray& ray = search->space.ray;
+  const Transform group_from_world =
+      facts.steps.empty() ? leaf.group_from_world : GroupFromWorldAt(facts, ray.time);
+  Ray inner = ray;
+  inner.origin = group_from_world.Point(ray.origin);
+  inner.direction = group_from_world.Vector(ray.direction);
+  if (!IsTraceable<L>(inner)) return;
+
+  search->outer[search->level] = {search->group, search->space};
+  search->path[search->level] = leaf.item;
+  ++search->level;
+  search->group = &facts.group->data();
+  search->records = search->group->records.data();
+  search->space = MakeSpaceRay<L>(inner, search->group->largest_coordinate);
+  search->stack.entry[search->stack.size++] =
+      MakeEntry(0, MakeReference(RecordKind::kLeaveInstance, 0));
+  search->EnterGroup();
+}
+
+/// Goes back to where the ray came from.
+template <class L>
+void LeaveInstance(Search<L>* search) {
+  --search->level;
+  search->group = search->outer[search->level].group;
+  search->records = search->group->records.data();
+  search->space = search->outer[search->level].space;
+}
+
+}  // namespace candela::kernel

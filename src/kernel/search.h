@@ -1,0 +1,149 @@
+#pragma once
+
+#include <bit>
+#include <limits>
+
+#include "geometry/hit_record.h"
+#include "kernel/group.h"
+#include "kernel/group_data.h"
+#include "kernel/node_stack.h"
+#include "kernel/space_ray.h"
+
+namespace candela::kernel {
+
+/// The next smaller float of a positive one; what is not positive, or not a number, gives a number
+/// below 0, before which there are no hits.
+template <class L>
+float JustBelow(float t) {
+  if (!(t > 0)) return -1;
+  return std::bit_cast<float>(std::bit_cast<uint32_t>(t) - 1);
+}
+template <class L>
+float JustAbove(float t) {
+  return std::bit_cast<float>(std::bit_cast<uint32_t>(t + 0.0f) + 1);
+}
+
+/// The nearest hit of a search so far, and what decides between hits at the same distance.
+struct Nearest {
+  float t;  ///< Hits up to here, included, are of interest.
+  float u, v;
+  uint32_t item = HitRecord::kNone;
+  const uint32_t* primitive;  ///< Where its index is: read only when it is needed.
+  int level;                  ///< Groups that were entered on the way to it.
+  uint32_t path[HitRecord::kMostNested];  ///< The items of those groups, outermost first.
+};
+
+/// One ray on its way through a group and the groups inside. Invariants:
+/// - Everything that may hold a hit not farther than `nearest.t` is the current reference, on the
+///   stack, or below something there.
+/// - A box is left out only when its entry lies beyond `nearest.t`, or it is missed. A hit found in
+///   a leaf counts at the entry of the leaf's box at least. So a hit is never lost because another
+///   one was found earlier, whatever rounding did to their distances, and the answer does not
+///   depend on the order of visits.
+/// - References on the stack above the mark of a level belong to the group of that level.
+template <class L>
+struct Search {
+  static constexpr int kWidth = L::kWidth;
+
+  const Ray* asked;         ///< As it came, in the space of the outermost group.
+  const GroupData* group;   ///< The one that is being searched,
+  const Record* records;    ///< its records,
+  SpaceRay space;           ///< and the ray in its space.
+  Nearest nearest;
+  StackEntry current;       ///< What is looked at next, when many rays take turns.
+  int level = 0;
+  uint32_t path[HitRecord::kMostNested];
+  NodeStack stack;
+  struct Outer {
+    const GroupData* group;
+    SpaceRay space;
+  } outer[HitRecord::kMostNested];
+
+  /// Puts everything of the current group on the stack.
+  void EnterGroup() {
+    const float t_min = space.slabs.t_min;
+    if (group->root != GroupData::kNothing) {
+      stack.entry[stack.size++] = MakeEntry(t_min, group->root);
+    }
+    for (const Reference leaf : group->unbounded) {
+      stack.entry[stack.size++] = MakeEntry(t_min, leaf);
+    }
+  }
+
+  /// False when the ray cannot hit anything.
+  bool Begin(const GroupData& outermost, const Ray& ray, float t_limit) {
+    asked = &ray;
+    nearest.t = JustBelow<L>(t_limit);
+    nearest.item = HitRecord::kNone;
+    if (!(ray.t_min <= nearest.t) || !IsTraceable<L>(ray)) return false;
+    group = &outermost;
+    records = group->records.data();
+    space = MakeSpaceRay<L>(ray, group->largest_coordinate);
+    if (!(space.ray.time >= 0)) space.ray.time = 0;  // NaN too.
+    if (space.ray.time > 1) space.ray.time = 1;
+    level = 0;
+    stack.size = 0;
+    EnterGroup();
+    return true;
+  }
+
+  bool HasHit() const { return nearest.item != HitRecord::kNone; }
+
+  /// Whether a hit at the distance of the nearest one wins by its indices.
+  bool WinsTie(uint32_t item, uint32_t primitive) const {
+    const int depth = nearest.level < level ? nearest.level : level;
+    for (int i = 0; i < depth; ++i) {
+      if (path[i] != nearest.path[i]) return path[i] < nearest.path[i];
+    }
+    // Where one is in a group of which the other is a neighbour, their items there differ.
+    const uint32_t mine = depth < level ? path[depth] : item;
+    const uint32_t other = depth < nearest.level ? nearest.path[depth] : nearest.item;
+    if (mine != other) return mine < other;
+    return primitive < *nearest.primitive;
+  }
+
+  /// Takes a hit unless the nearest one is nearer. `primitive` has to stay where it is.
+  bool Offer(float t, float u, float v, uint32_t item, const uint32_t* primitive) {
+    if (!(t >= space.slabs.t_min && t <= nearest.t)) return false;  // NaN is a miss.
+    if (t == nearest.t && HasHit() && !WinsTie(item, *primitive)) return false;
+    nearest.t = t;
+    nearest.u = u;
+    nearest.v = v;
+    nearest.item = item;
+    nearest.primitive = primitive;
+    nearest.level = level;
+    for (int i = 0; i < level; ++i) nearest.path[i] = path[i];
+    __builtin_prefetch(primitive);
+    return true;
+  }
+
+  /// The record of a hit, as it would be reported.
+  HitRecord RecordOfHit(float t, float u, float v, uint32_t item, uint32_t primitive, int depth,
+                        const uint32_t* items) const {
+    HitRecord hit;
+    hit.t = t;
+    hit.u = u;
+    hit.v = v;
+    hit.primitive = primitive;
+    hit.object = depth == 0 ? item : items[0];
+    for (int i = 1; i < depth; ++i) hit.nested[i - 1] = items[i];
+    if (depth > 0) hit.nested[depth - 1] = item;
+    return hit;
+  }
+
+  /// Whether the filter of an item lets a hit count.
+  bool PassesFilter(const ItemFacts& facts, float t, float u, float v, uint32_t item,
+                    uint32_t primitive) const {
+    if (!facts.filter) return true;
+    return facts.filter->Accepts(*asked, RecordOfHit(t, u, v, item, primitive, level, path));
+  }
+
+  bool Report(HitRecord* hit) const {
+    if (!HasHit()) return false;
+    *hit = RecordOfHit(nearest.t, nearest.u, nearest.v, nearest.item, *nearest.primitive,
+                       nearest.level, nearest.path);
+    return true;
+  }
+};
+
+}  // namespace candela::kernel

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstdint>
+
+/// Lanes of AVX2 with FMA; `scalar.h` says what each operation means.
+namespace candela::kernel::avx2 {
+
+struct Index8 {
+  __m256i v;
+
+  static Index8 Unpack(uint32_t packed) {
+    return {_mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(packed)),
+                              _mm256_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21))};
+  }
+};
+
+struct Float8 {
+  static constexpr int kCount = 8;
+  __m256 v;
+
+  static Float8 Load(const float* from) { return {_mm256_load_ps(from)}; }
+  static Float8 Broadcast(float value) { return {_mm256_set1_ps(value)}; }
+  void Store(float* to) const { _mm256_store_ps(to, v); }
+
+  friend Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
+  friend Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
+  friend Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
+  friend Float8 operator/(Float8 a, Float8 b) { return {_mm256_div_ps(a.v, b.v)}; }
+  friend Float8 FusedSubtract(Float8 a, Float8 b, Float8 c) {
+    return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+  }
+  friend Float8 Min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
+  friend Float8 Max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
+  friend uint32_t BitsLess(Float8 a, Float8 b) {
+    return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
+  }
+  friend uint32_t BitsLessEqual(Float8 a, Float8 b) {
+    return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+  }
+  friend Float8 Permute(Float8 from, Index8 index) {
+    return {_mm256_permutevar8x32_ps(from.v, index.v)};
+  }
+};
+
+/// Sixteen numbers as two registers.
+struct Float16 {
+  static constexpr int kCount = 16;
+  Float8 low, high;
+
+  static Float16 Load(const float* from) { return {Float8::Load(from), Float8::Load(from + 8)}; }
+  static Float16 Broadcast(float value) {
+    return {Float8::Broadcast(value), Float8::Broadcast(value)};
+  }
+  void Store(float* to) const {
+    low.Store(to);
+    high.Store(to + 8);
+  }
+
+  friend Float16 operator+(Float16 a, Float16 b) { return {a.low + b.low, a.high + b.high}; }
+  friend Float16 operator-(Float16 a, Float16 b) { return {a.low - b.low, a.high - b.high}; }
+  friend Float16 operator*(Float16 a, Float16 b) { return {a.low * b.low, a.high * b.high}; }
+  friend Float16 operator/(Float16 a, Float16 b) { return {a.low / b.low, a.high / b.high}; }
+  friend Float16 FusedSubtract(Float16 a, Float16 b, Float16 c) {
+    return {FusedSubtract(a.low, b.low, c.low), FusedSubtract(a.high, b.high, c.high)};
+  }
+  friend Float16 Min(Float16 a, Float16 b) { return {Min(a.low, b.low), Min(a.high, b.high)}; }
+  friend Float16 Max(Float16 a, Float16 b) { return {Max(a.low, b.low), Max(a.high, b.high)}; }
+  friend uint32_t BitsLess(Float16 a, Float16 b) {
+    return BitsLess(a.low, b.low) | BitsLess(a.high, b.high) << 8;
+  }
+  friend uint32_t BitsLessEqual(Float16 a, Float16 b) {
+    return BitsLessEqual(a.low, b.low) | BitsLessEqual(a.high, b.high) << 8;
+  }
+};
+
+struct Double16 {
+  __m256d v[4];
+
+  static Double16 Broadcast(double value) {
+    const __m256d all = _mm256_set1_pd(value);
+    return {{all, all, all, all}};
+  }
+  friend Double16 operator+(Double16 a, Double16 b) {
+    return {{_mm256_add_pd(a.v[0], b.v[0]), _mm256_add_pd(a.v[1], b.v[1]),
+             _mm256_add_pd(a.v[2], b.v[2]), _mm256_add_pd(a.v[3], b.v[3])}};
+  }
+  friend Double16 operator-(Double16 a, Double16 b) {
+    return {{_mm256_sub_pd(a.v[0], b.v[0]), _mm256_sub_pd(a.v[1], b.v[1]),
+             _mm256_sub_pd(a.v[2], b.v[2]), _mm256_sub_pd(a.v[3], b.v[3])}};
+  }
+  friend Double16 operator*(Double16 a, Double16 b) {
+    return {{_mm256_mul_pd(a.v[0], b.v[0]), _mm256_mul_pd(a.v[1], b.v[1]),
+             _mm256_mul_pd(a.v[2], b.v[2]), _mm256_mul_pd(a.v[3], b.v[3])}};
+  }
+  friend Double16 operator/(Double16 a, Double16 b) {
+    return {{_mm256_div_pd(a.v[0], b.v[0]), _mm256_div_pd(a.v[1], b.v[1]),
+             _mm256_div_pd(a.v[2], b.v[2]), _mm256_div_pd(a.v[3], b.v[3])}};
+  }
+  friend Float16 ToFloat(Double16 a) {
+    const auto join = [](__m256d x, __m256d y) {
+      return Float8{_mm256_set_m128(_mm256_cvtpd_ps(y), _mm256_cvtpd_ps(x))};
+    };
+    return {join(a.v[0], a.v[1]), join(a.v[2], a.v[3])};
+  }
+};
+
+inline Double16 ToDouble(Float16 a) {
+  const auto lower = [](Float8 x) { return _mm256_cvtps_pd(_mm256_castps256_ps128(x.v)); };
+  const auto upper = [](Float8 x) { return _mm256_cvtps_pd(_mm256_extractf128_ps(x.v, 1)); };
+  return {{lower(a.low), upper(a.low), lower(a.high), upper(a.high)}};
+}
+
+struct IsaLanes {
+  static constexpr int kWidth = 8;
+  using Node = Float8;
+  using Leaf = Float8;
+  using Index = Index8;
+  using Packet = Float16;
+  using PacketDouble = Double16;
+};
+
+}  // namespace candela::kernel::avx2

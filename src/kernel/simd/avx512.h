@@ -1,0 +1,109 @@
+#pragma once
+
+#include <immintrin.h>
+
+#include <cstdint>
+
+/// Lanes of AVX-512 (F, VL, DQ, BW); `scalar.h` says what each operation means.
+namespace candela::kernel::avx512 {
+
+struct Index8 {
+  __m256i v;
+
+  static Index8 Unpack(uint32_t packed) {
+    return {_mm256_srlv_epi32(_mm256_set1_epi32(static_cast<int>(packed)),
+                              _mm256_setr_epi32(0, 3, 6, 9, 12, 15, 18, 21))};
+  }
+};
+
+struct Float8 {
+  static constexpr int kCount = 8;
+  __m256 v;
+
+  static Float8 Load(const float* from) { return {_mm256_load_ps(from)}; }
+  static Float8 Broadcast(float value) { return {_mm256_set1_ps(value)}; }
+  void Store(float* to) const { _mm256_store_ps(to, v); }
+
+  friend Float8 operator+(Float8 a, Float8 b) { return {_mm256_add_ps(a.v, b.v)}; }
+  friend Float8 operator-(Float8 a, Float8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
+  friend Float8 operator*(Float8 a, Float8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
+  friend Float8 FusedSubtract(Float8 a, Float8 b, Float8 c) {
+    return {_mm256_fmsub_ps(a.v, b.v, c.v)};
+  }
+  friend Float8 Min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
+  friend Float8 Max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
+  friend uint32_t BitsLess(Float8 a, Float8 b) {
+    return _cvtmask8_u32(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
+  }
+  friend uint32_t BitsLessEqual(Float8 a, Float8 b) {
+    return _cvtmask8_u32(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
+  }
+  friend Float8 Permute(Float8 from, Index8 index) {
+    return {_mm256_permutevar8x32_ps(from.v, index.v)};
+  }
+};
+
+struct Float16 {
+  static constexpr int kCount = 16;
+  __m512 v;
+
+  static Float16 Load(const float* from) { return {_mm512_load_ps(from)}; }
+  static Float16 Broadcast(float value) { return {_mm512_set1_ps(value)}; }
+  void Store(float* to) const { _mm512_store_ps(to, v); }
+
+  friend Float16 operator+(Float16 a, Float16 b) { return {_mm512_add_ps(a.v, b.v)}; }
+  friend Float16 operator-(Float16 a, Float16 b) { return {_mm512_sub_ps(a.v, b.v)}; }
+  friend Float16 operator*(Float16 a, Float16 b) { return {_mm512_mul_ps(a.v, b.v)}; }
+  friend Float16 operator/(Float16 a, Float16 b) { return {_mm512_div_ps(a.v, b.v)}; }
+  friend Float16 FusedSubtract(Float16 a, Float16 b, Float16 c) {
+    return {_mm512_fmsub_ps(a.v, b.v, c.v)};
+  }
+  friend Float16 Min(Float16 a, Float16 b) { return {_mm512_min_ps(a.v, b.v)}; }
+  friend Float16 Max(Float16 a, Float16 b) { return {_mm512_max_ps(a.v, b.v)}; }
+  friend uint32_t BitsLess(Float16 a, Float16 b) {
+    return _cvtmask16_u32(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
+  }
+  friend uint32_t BitsLessEqual(Float16 a, Float16 b) {
+    return _cvtmask16_u32(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
+  }
+};
+
+struct Double16 {
+  __m512d low, high;
+
+  static Double16 Broadcast(double value) {
+    return {_mm512_set1_pd(value), _mm512_set1_pd(value)};
+  }
+  friend Double16 operator+(Double16 a, Double16 b) {
+    return {_mm512_add_pd(a.low, b.low), _mm512_add_pd(a.high, b.high)};
+  }
+  friend Double16 operator-(Double16 a, Double16 b) {
+    return {_mm512_sub_pd(a.low, b.low), _mm512_sub_pd(a.high, b.high)};
+  }
+  friend Double16 operator*(Double16 a, Double16 b) {
+    return {_mm512_mul_pd(a.low, b.low), _mm512_mul_pd(a.high, b.high)};
+  }
+  friend Double16 operator/(Double16 a, Double16 b) {
+    return {_mm512_div_pd(a.low, b.low), _mm512_div_pd(a.high, b.high)};
+  }
+  friend Float16 ToFloat(Double16 a) {
+    return {_mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(a.low)),
+                               _mm512_cvtpd_ps(a.high), 1)};
+  }
+};
+
+inline Double16 ToDouble(Float16 a) {
+  return {_mm512_cvtps_pd(_mm512_castps512_ps256(a.v)),
+          _mm512_cvtps_pd(_mm512_extractf32x8_ps(a.v, 1))};
+}
+
+struct IsaLanes {
+  static constexpr int kWidth = 16;
+  using Node = Float16;
+  using Leaf = Float8;
+  using Index = Index8;
+  using Packet = Float16;
+  using PacketDouble = Double16;
+};
+
+}  // namespace candela::kernel::avx512

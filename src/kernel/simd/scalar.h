@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+/// Lanes without instructions of their own: what every other file of this folder has to equal, bit
+/// for bit. Read this one first.
+namespace candela::kernel::scalar {
+
+/// Numbers that are computed with side by side.
+template <class T, int N>
+struct Lanes {
+  static constexpr int kCount = N;
+  T lane[N];
+
+  template <class Function>
+  [[gnu::always_inline]] static Lanes Each(Function function) {
+    Lanes result;
+    for (int i = 0; i < N; ++i) result.lane[i] = function(i);
+    return result;
+  }
+  template <class Predicate>
+  [[gnu::always_inline]] static uint32_t Bits(Predicate predicate) {
+    uint32_t bits = 0;
+    for (int i = 0; i < N; ++i) bits |= static_cast<uint32_t>(predicate(i)) << i;
+    return bits;
+  }
+
+  static Lanes Load(const T* from) {
+    return Each([=](int i) { return from[i]; });
+  }
+  static Lanes Broadcast(T value) {
+    return Each([=](int) { return value; });
+  }
+  void Store(T* to) const {
+    for (int i = 0; i < N; ++i) to[i] = lane[i];
+  }
+
+  friend Lanes operator+(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] + b.lane[i]; });
+  }
+  friend Lanes operator-(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] - b.lane[i]; });
+  }
+  friend Lanes operator*(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] * b.lane[i]; });
+  }
+  friend Lanes operator/(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] / b.lane[i]; });
+  }
+  /// a * b - c with one rounding.
+  friend Lanes FusedSubtract(Lanes a, Lanes b, Lanes c) {
+    return Each([&](int i) { return std::fma(a.lane[i], b.lane[i], -c.lane[i]); });
+  }
+  /// The second one when they are equal or one is not a number, as the instructions have it.
+  friend Lanes Min(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] < b.lane[i] ? a.lane[i] : b.lane[i]; });
+  }
+  friend Lanes Max(Lanes a, Lanes b) {
+    return Each([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
+  }
+  /// Bit i: whether it holds in lane i; never for what is not a number.
+  friend uint32_t BitsLess(Lanes a, Lanes b) {
+    return Bits([&](int i) { return a.lane[i] < b.lane[i]; });
+  }
+  friend uint32_t BitsLessEqual(Lanes a, Lanes b) {
+    return Bits([&](int i) { return a.lane[i] <= b.lane[i]; });
+  }
+};
+
+/// Lane numbers 0 to 7, one in the lower three bits of each lane.
+struct Index8 {
+  uint32_t lane[8];
+
+  /// Lane i gets bits 3i to 3i + 2.
+  static Index8 Unpack(uint32_t packed) {
+    Index8 index;
+    for (int i = 0; i < 8; ++i) index.lane[i] = packed >> 3 * i & 7;
+    return index;
+  }
+};
+
+using Float8 = Lanes<float, 8>;
+
+/// Lane i of the result is the lane of `from` with number i of `index`.
+inline Float8 Permute(Float8 from, Index8 index) {
+  return Float8::Each([&](int i) { return from.lane[index.lane[i]]; });
+}
+
+/// What the traversal is compiled with.
+struct IsaLanes {
+  static constexpr int kWidth = 8;  ///< Children of a node.
+  using Node = Float8;
+  using Leaf = Float8;
+  using Index = Index8;
+  using Packet = Lanes<float, 16>;
+  using PacketDouble = Lanes<double, 16>;
+};
+
+/// The same numbers in double, and back.
+inline Lanes<double, 16> ToDouble(Lanes<float, 16> a) {
+  return Lanes<double, 16>::Each([&](int i) { return double{a.lane[i]}; });
+}
+inline Lanes<float, 16> ToFloat(Lanes<double, 16> a) {
+  return Lanes<float, 16>::Each([&](int i) { return static_cast<float>(a.lane[i]); });
+}
+
+}  // namespace candela::kernel::scalar

@@ -2,6 +2,7 @@
 
 #include "kernel/trace_functions.h"
 #include "kernel/trace_one.h"
+#include "kernel/trace_packet.h"
 #include "kernel/trace_span.h"
 
 namespace candela::kernel {
@@ -14,8 +15,8 @@ constexpr TraceFunctions FunctionsFor() {
           &OccludedOne<L>,
           &IntersectScattered<L>,
           &OccludedScattered<L>,
-          &IntersectScattered<L>,
-          &OccludedScattered<L>};
+          &IntersectCoherent<L>,
+          &OccludedCoherent<L>};
 }
 
 }  // namespace candela::kernel

@@ -1,0 +1,303 @@
+#pragma once
+
+#include <bit>
+
+#include "kernel/trace_one.h"
+
+namespace candela::kernel {
+
+/// Sixteen neighbours that go down the tree together: a node is fetched once for all of them, and
+/// most of it is passed by with a test of the packet as a whole. Rays whose directions differ in
+/// the sign of a component, or in the axis that they follow most, go alone. After Wald, Slusallek,
+/// Benthin and Wagner, "Interactive Rendering with Coherent Ray Tracing", 2001, and Boulos, Wald
+/// and Shirley, "Geometric and Arithmetic Culling Methods for Entire Ray Packets", 2006.
+template <class L, bool kAny>
+class PacketSearch {
+ public:
+  static constexpr int kRays = 16;
+
+  /// Begins a ray; `index` below kRays, in order.
+  void Begin(int index, const GroupData& group, const Ray& ray, float t_limit) {
+    Search<L>& search = search_[index];
+    if (search.Begin(group, ray, t_limit)) active_ |= 1u << index;
+  }
+
+  const Search<L>& search(int index) const { return search_[index]; }
+
+  void Run(const GroupData& group) {
+    if (active_ == 0) return;
+    if (group.root == GroupData::kNothing || std::popcount(active_) <= kFewRays || !IsCoherent()) {
+      ForEach(active_, [&](int i) { Finish<L, kAny>(&search_[i]); });
+      return;
+    }
+    // The root goes to the packet, what is unbounded stays with the rays.
+    ForEach(active_, [&](int i) {
+      NodeStack& stack = search_[i].stack;
+      stack.entry[0] = stack.entry[--stack.size];
+      Finish<L, kAny>(&search_[i]);
+    });
+    if (kAny) ForEach(active_, [&](int i) { RetireIfDone(i); });
+    if (active_ == 0) return;
+    records_ = group.records.data();
+    Gather();
+    Descend(group.root);
+  }
+
+ private:
+  using P = typename L::Packet;
+  using F = typename L::Node;
+  static constexpr int kWidth = L::kWidth;
+  static constexpr int kFewRays = 3;  ///< So many are quicker one by one.
+
+  /// A child of a node, and the distance before which no ray of the packet enters it.
+  struct Entry {
+    float entry;
+    uint32_t lane;
+    const WideNode<kWidth>* node;
+  };
+
+  template <class Function>
+  [[gnu::always_inline]] static void ForEach(uint32_t bits, Function function) {
+    for (; bits != 0; bits &= bits - 1) function(std::countr_zero(bits));
+  }
+
+  void RetireIfDone(int i) {
+    if (search_[i].HasHit()) active_ &= ~(1u << i);
+  }
+
+  bool IsCoherent() const {
+    const SpaceRay& first = search_[std::countr_zero(active_)].space;
+    bool is_coherent = true;
+    ForEach(active_, [&](int i) {
+      const SpaceRay& other = search_[i].space;
+      for (int axis = 0; axis < 3; ++axis) {
+        is_coherent &= other.slabs.near_row[axis] == first.slabs.near_row[axis];
+      }
+      is_coherent &= other.sheared.kz == first.sheared.kz && other.sheared.kx == first.sheared.kx;
+    });
+    return is_coherent;
+  }
+
+  /// Brings the rays' numbers side by side. Lanes without a ray repeat the first one.
+  void Gather() {
+    const int first = std::countr_zero(active_);
+    for (int i = 0; i < kRays; ++i) {
+      const SpaceRay& space = search_[active_ >> i & 1 ? i : first].space;
+      for (int axis = 0; axis < 3; ++axis) {
+        near_scale_[axis][i] = space.slabs.near_scale[axis];
+        near_offset_[axis][i] = space.slabs.near_offset[axis];
+        far_scale_[axis][i] = space.slabs.far_scale[axis];
+        far_offset_[axis][i] = space.slabs.far_offset[axis];
+        origin_[axis][i] = space.ray.origin[axis];
+      }
+      shear_[0][i] = space.sheared.shear_x;
+      shear_[1][i] = space.sheared.shear_y;
+      t_min_[i] = space.slabs.t_min;
+      limit_[i] = active_ >> i & 1 ? search_[i].nearest.t : -1;
+    }
+    slabs_ = &search_[first].space.slabs;
+    sheared_ = &search_[first].space.sheared;
+    UpdateFarthest();
+
+    // Bounds on origins and reciprocals, wider than the slack of any ray.
+    constexpr float kOriginSlack = 3e-6f, kSlopeSlack = 2e-6f;
+    nearest_t_min_ = t_min_[first];
+    for (int axis = 0; axis < 3; ++axis) {
+      float o_low = origin_[axis][0], o_high = o_low;
+      float s_low = near_scale_[axis][0], s_high = s_low;
+      for (int i = 0; i < kRays; ++i) {
+        o_low = std::min(o_low, origin_[axis][i]);
+        o_high = std::max(o_high, origin_[axis][i]);
+        s_low = std::min(s_low, near_scale_[axis][i]);
+        s_high = std::max(s_high, near_scale_[axis][i]);
+        nearest_t_min_ = std::min(nearest_t_min_, t_min_[i]);
+      }
+      o_low -= std::abs(o_low) * kOriginSlack;
+      o_high += std::abs(o_high) * kOriginSlack;
+      const bool is_negative = s_high < 0;
+      frustum_.near_origin[axis] = is_negative ? o_low : o_high;
+      frustum_.far_origin[axis] = is_negative ? o_high : o_low;
+      frustum_.low_slope[axis] = s_low - std::abs(s_low) * kSlopeSlack;
+      frustum_.high_slope[axis] = s_high + std::abs(s_high) * kSlopeSlack;
+    }
+  }
+
+  void UpdateFarthest() {
+    farthest_ = limit_[0];
+    for (int i = 1; i < kRays; ++i) farthest_ = std::max(farthest_, limit_[i]);
+  }
+
+  /// The children that some ray may meet.
+  [[gnu::always_inline]] BoxHits<F> TestFrustum(const WideNode<kWidth>& node) const {
+    F enter[3], leave[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const F low = F::Broadcast(frustum_.low_slope[axis]);
+      const F high = F::Broadcast(frustum_.high_slope[axis]);
+      const uint32_t row = slabs_->near_row[axis];
+      const F to_near = F::Load(node.box[row]) - F::Broadcast(frustum_.near_origin[axis]);
+      const F to_far = F::Load(node.box[row ^ 1]) - F::Broadcast(frustum_.far_origin[axis]);
+      enter[axis] = Min(to_near * low, to_near * high);
+      leave[axis] = Max(to_far * low, to_far * high);
+    }
+    const F entry = Max(Max(enter[0], enter[1]), Max(enter[2], F::Broadcast(nearest_t_min_)));
+    const F exit = Min(Min(leave[0], leave[1]), Min(leave[2], F::Broadcast(farthest_)));
+    return {BitsLessEqual(entry, exit), entry};
+  }
+
+  /// The rays that meet the box of a child, with the very numbers that each would find alone.
+  [[gnu::always_inline]] uint32_t TestChild(const WideNode<kWidth>& node, uint32_t lane) {
+    P enter[3], leave[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const uint32_t row = slabs_->near_row[axis];
+      enter[axis] = FusedSubtract(P::Broadcast(node.box[row][lane]), P::Load(near_scale_[axis]),
+                                  P::Load(near_offset_[axis]));
+      leave[axis] = FusedSubtract(P::Broadcast(node.box[row ^ 1][lane]),
+                                  P::Load(far_scale_[axis]), P::Load(far_offset_[axis]));
+    }
+    const P entry = Max(Max(enter[0], enter[1]), Max(enter[2], P::Load(t_min_)));
+    const P exit = Min(Min(leave[0], leave[1]), Min(leave[2], P::Load(limit_)));
+    entry.Store(entry_);
+    return BitsLessEqual(entry, exit);
+  }
+
+  void Descend(Reference root) {
+    // The root has no parent whose box could be tested.
+    for (int i = 0; i < kRays; ++i) entry_[i] = t_min_[i];
+    Visit(root, active_);
+    while (size_ > 0 && active_ != 0) {
+      const Entry next = stack_[--size_];
+      if (next.entry > farthest_) continue;
+      const uint32_t rays = TestChild(*next.node, next.lane) & active_;
+      if (rays != 0) Visit(next.node->child[next.lane], rays);
+    }
+  }
+
+  /// Looks at what a reference leads to, for `rays`, which enter it at `entry_`.
+  void Visit(Reference reference, uint32_t rays) {
+    if (IsNode(reference) && std::popcount(rays) > kFewRays) {
+      PushChildren(*reinterpret_cast<const WideNode<kWidth>*>(records_ + reference));
+      return;
+    }
+    if (KindOf(reference) == RecordKind::kTriangles && std::popcount(rays) > kFewRays) {
+      TestLeaf(*reinterpret_cast<const TriangleLeaf*>(records_ + RecordOf(reference)), rays);
+    } else {
+      ForEach(rays, [&](int i) {
+        NodeStack& stack = search_[i].stack;
+        stack.entry[stack.size++] = MakeEntry(entry_[i], reference);
+        Finish<L, kAny>(&search_[i]);
+      });
+    }
+    ForEach(rays, [&](int i) { limit_[i] = search_[i].nearest.t; });
+    if (kAny) {
+      ForEach(rays, [&](int i) {
+        RetireIfDone(i);
+        if ((active_ >> i & 1) == 0) limit_[i] = -1;
+      });
+    }
+    UpdateFarthest();
+  }
+
+  void PushChildren(const WideNode<kWidth>& node) {
+    const BoxHits<F> hits = TestFrustum(node);
+    alignas(64) float entry[kWidth];
+    hits.entry.Store(entry);
+    Entry* const base = stack_ + size_;
+    uint32_t count = 0;
+    ForEach(hits.bits, [&](int lane) {
+      uint32_t place = count++;
+      for (; place > 0 && base[place - 1].entry < entry[lane]; --place) {
+        base[place] = base[place - 1];
+      }
+      base[place] = {entry[lane], static_cast<uint32_t>(lane), &node};
+      PrefetchRecord<kWidth>(records_, node.child[lane]);
+    });
+    size_ += count;
+  }
+
+  /// The triangles of a leaf against all rays: vertices are sheared for each ray, in the order of
+  /// operations that a single ray has.
+  void TestLeaf(const TriangleLeaf& leaf, uint32_t rays) {
+    alignas(64) float x[8][kRays], y[8][kRays];
+    const int kx = sheared_->kx, ky = sheared_->ky, kz = sheared_->kz;
+    const P origin_x = P::Load(origin_[kx]), origin_y = P::Load(origin_[ky]);
+    const P origin_z = P::Load(origin_[kz]);
+    const P shear_x = P::Load(shear_[0]), shear_y = P::Load(shear_[1]);
+    for (int i = 0; i < 8; ++i) {
+      const P to_z = P::Broadcast(leaf.vertex[kz][i]) - origin_z;
+      ((P::Broadcast(leaf.vertex[kx][i]) - origin_x) + to_z * shear_x).Store(x[i]);
+      ((P::Broadcast(leaf.vertex[ky][i]) - origin_y) + to_z * shear_y).Store(y[i]);
+    }
+    ForEach(leaf.lanes, [&](int lane) {
+      const uint32_t a = leaf.Corner(0, lane), b = leaf.Corner(1, lane), c = leaf.Corner(2, lane);
+      const P ax = P::Load(x[a]), ay = P::Load(y[a]);
+      const P bx = P::Load(x[b]), by = P::Load(y[b]);
+      const P cx = P::Load(x[c]), cy = P::Load(y[c]);
+      const P area_a = cx * by - cy * bx;
+      const P area_b = ax * cy - ay * cx;
+      const P area_c = bx * ay - by * ax;
+      const P zero = P::Broadcast(0);
+      const uint32_t is_mixed = BitsLess(Min(Min(area_a, area_b), area_c), zero) &
+                                BitsLess(zero, Max(Max(area_a, area_b), area_c));
+      const uint32_t candidates = rays & ~is_mixed;
+      if (candidates == 0) return;
+      alignas(64) float areas[3][kRays];
+      area_a.Store(areas[0]);
+      area_b.Store(areas[1]);
+      area_c.Store(areas[2]);
+      const Vec3 corner_a = LeafVertex(leaf.vertex, a), corner_b = LeafVertex(leaf.vertex, b),
+                 corner_c = LeafVertex(leaf.vertex, c);
+      ForEach(candidates, [&](int i) {
+        Search<L>& search = search_[i];
+        TriangleHit hit;
+        if (!FinishTriangle(search.space.sheared, corner_a, corner_b, corner_c,
+                            {areas[0][i], areas[1][i], areas[2][i]}, &hit)) {
+          return;
+        }
+        search.Offer(hit.t < entry_[i] ? entry_[i] : hit.t, hit.u, hit.v, leaf.item,
+                     &search.group->triangle_ids[leaf.first + static_cast<uint32_t>(lane)]);
+      });
+    });
+  }
+
+  uint32_t active_ = 0;  ///< Bit i: ray i still looks for hits.
+  const Record* records_ = nullptr;
+  const Slabs* slabs_ = nullptr;         ///< For the rows, which are the same for all rays.
+  const ShearedRay* sheared_ = nullptr;  ///< For the axes.
+  float farthest_ = 0, nearest_t_min_ = 0;
+  struct {
+    float near_origin[3], far_origin[3], low_slope[3], high_slope[3];
+  } frustum_;
+  uint32_t size_ = 0;
+  alignas(64) float near_scale_[3][kRays], near_offset_[3][kRays];
+  alignas(64) float far_scale_[3][kRays], far_offset_[3][kRays];
+  alignas(64) float origin_[3][kRays], shear_[2][kRays];
+  alignas(64) float t_min_[kRays], limit_[kRays], entry_[kRays];
+  Entry stack_[kMostTreeStack + kWidth];
+  Search<L> search_[kRays];
+};
+
+template <class L>
+void IntersectCoherent(const GroupData& group, const Ray* rays, HitRecord* hits, size_t count) {
+  constexpr size_t kRays = PacketSearch<L, false>::kRays;
+  for (size_t begin = 0; begin < count; begin += kRays) {
+    const int size = static_cast<int>(std::min(kRays, count - begin));
+    PacketSearch<L, false> packet;
+    for (int i = 0; i < size; ++i) packet.Begin(i, group, rays[begin + i], hits[begin + i].t);
+    packet.Run(group);
+    for (int i = 0; i < size; ++i) packet.search(i).Report(&hits[begin + i]);
+  }
+}
+
+template <class L>
+void OccludedCoherent(const GroupData& group, const Ray* rays, uint8_t* occluded, size_t count) {
+  constexpr size_t kRays = PacketSearch<L, true>::kRays;
+  for (size_t begin = 0; begin < count; begin += kRays) {
+    const int size = static_cast<int>(std::min(kRays, count - begin));
+    PacketSearch<L, true> packet;
+    for (int i = 0; i < size; ++i) packet.Begin(i, group, rays[begin + i], rays[begin + i].t_max);
+    packet.Run(group);
+    for (int i = 0; i < size; ++i) occluded[begin + i] = packet.search(i).HasHit();
+  }
+}
+
+}  // namespace candela::kernel

@@ -15,12 +15,11 @@ bool TestPrimitives(const PrimitiveLeaf& leaf, float entry, Search<L>* search) {
     // A hit as far away as the nearest one may win by its index.
     hit.t = JustAbove<L>(search->nearest.t);
     if (!facts.set->IntersectPrimitive(search->space.ray, primitive, &hit)) continue;
-    const float t = hit.t < entry ? entry : hit.t;
-    if (!(t <= search->nearest.t) ||
-        !search->PassesFilter(facts, t, hit.u, hit.v, item, primitive)) {
+    if (!search->Counts(entry, &hit.t) ||
+        !search->PassesFilter(facts, hit.t, hit.u, hit.v, item, primitive)) {
       continue;
     }
-    if (search->Offer(t, hit.u, hit.v, item, &leaf.entry[i].primitive) && kAny) return true;
+    if (search->Offer(hit.t, hit.u, hit.v, item, &leaf.entry[i].primitive) && kAny) return true;
   }
   return false;
 }

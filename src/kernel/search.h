@@ -102,9 +102,17 @@ struct Search {
     return primitive < *nearest.primitive;
   }
 
-  /// Takes a hit unless the nearest one is nearer. `primitive` has to stay where it is.
+  /// The distance at which a hit at `t` in a leaf that the ray enters at `entry` counts; a miss when
+  /// it lies before the ray's beginning or beyond the nearest hit.
+  bool Counts(float entry, float* t) const {
+    if (!(*t >= space.slabs.t_min)) return false;  // NaN is a miss.
+    if (*t < entry) *t = entry;
+    return *t <= nearest.t;
+  }
+
+  /// Takes a hit that counts unless the nearest one is as near and wins. `primitive` has to stay
+  /// where it is.
   bool Offer(float t, float u, float v, uint32_t item, const uint32_t* primitive) {
-    if (!(t >= space.slabs.t_min && t <= nearest.t)) return false;  // NaN is a miss.
     if (t == nearest.t && HasHit() && !WinsTie(item, *primitive)) return false;
     nearest.t = t;
     nearest.u = u;

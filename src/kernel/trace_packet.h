@@ -250,10 +250,11 @@ class PacketSearch {
         Search<L>& search = search_[i];
         TriangleHit hit;
         if (!FinishTriangle(search.space.sheared, corner_a, corner_b, corner_c,
-                            {areas[0][i], areas[1][i], areas[2][i]}, &hit)) {
+                            {areas[0][i], areas[1][i], areas[2][i]}, &hit) ||
+            !search.Counts(entry_[i], &hit.t)) {
           return;
         }
-        search.Offer(hit.t < entry_[i] ? entry_[i] : hit.t, hit.u, hit.v, leaf.item,
+        search.Offer(hit.t, hit.u, hit.v, leaf.item,
                      &search.group->triangle_ids[leaf.first + static_cast<uint32_t>(lane)]);
       });
     });

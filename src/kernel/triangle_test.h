@@ -62,17 +62,13 @@ template <class L, bool kAny, bool kChecked>
                                        LeafVertex(vertex, leaf.Corner(1, lane)),
                                        LeafVertex(vertex, leaf.Corner(2, lane)),
                                        {areas[0][lane], areas[1][lane], areas[2][lane]}, &hit);
-    if (!is_hit) continue;
-    const float t = hit.t < entry ? entry : hit.t;
+    if (!is_hit || !search->Counts(entry, &hit.t)) continue;
     const uint32_t* primitive = &search->group->triangle_ids[leaf.first + lane];
     if constexpr (kChecked) {
       const ItemFacts& facts = search->group->items[leaf.item];
-      if (!(t <= search->nearest.t) ||
-          !search->PassesFilter(facts, t, hit.u, hit.v, leaf.item, *primitive)) {
-        continue;
-      }
+      if (!search->PassesFilter(facts, hit.t, hit.u, hit.v, leaf.item, *primitive)) continue;
     }
-    if (search->Offer(t, hit.u, hit.v, leaf.item, primitive) && kAny) return true;
+    if (search->Offer(hit.t, hit.u, hit.v, leaf.item, primitive) && kAny) return true;
   }
   return false;
 }

@@ -18,13 +18,17 @@ struct ShearedRay {
   float shear_x = 0, shear_y = 0;
 
   ShearedRay() = default;
-  explicit ShearedRay(const Ray& ray)
-      : origin(ray.origin), direction(ray.direction), kz(LargestAxis(ray.direction)) {
+  explicit ShearedRay(const Ray& ray) { Set(ray.origin, ray.direction); }
+
+  [[gnu::always_inline]] void Set(Vec3 new_origin, Vec3 new_direction) {
+    origin = new_origin;
+    direction = new_direction;
+    kz = LargestAxis(direction);
     kx = kz == 2 ? 0 : kz + 1;
     ky = kx == 2 ? 0 : kx + 1;
-    if (ray.direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
-    shear_x = -(ray.direction[kx] / ray.direction[kz]);
-    shear_y = -(ray.direction[ky] / ray.direction[kz]);
+    if (direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
+    shear_x = -(direction[kx] / direction[kz]);
+    shear_y = -(direction[ky] / direction[kz]);
   }
 
   /// Where the ray's line meets the plane through `p` is the origin of these coordinates.

@@ -13,20 +13,19 @@ template <class L>
 void EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
   const ItemFacts& facts = search->group->items[leaf.item];
   if ((facts.mask & search->asked->mask) == 0) return;
-  const Ray& ray = search->space.ray;
   const Transform group_from_world =
-      facts.steps.empty() ? leaf.group_from_world : GroupFromWorldAt(facts, ray.time);
-  Ray inner = ray;
-  inner.origin = group_from_world.Point(ray.origin);
-  inner.direction = group_from_world.Vector(ray.direction);
-  if (!IsTraceable<L>(inner)) return;
+      facts.steps.empty() ? leaf.group_from_world : GroupFromWorldAt(facts, search->Time());
+  const Vec3 origin = group_from_world.Point(search->space.sheared.origin);
+  const Vec3 direction = group_from_world.Vector(search->space.sheared.direction);
+  if (!IsTraceable<L>(origin, direction)) return;
 
   search->outer[search->level] = {search->group, search->space};
   search->path[search->level] = leaf.item;
   ++search->level;
   search->group = &facts.group->data();
   search->records = search->group->records.data();
-  search->space = MakeSpaceRay<L>(inner, search->group->largest_coordinate);
+  search->space.template Set<L>(origin, direction, search->space.slabs.t_min,
+                                search->group->largest_coordinate);
   search->stack.entry[search->stack.size++] =
       MakeEntry(0, MakeReference(RecordKind::kLeaveInstance, 0));
   search->EnterGroup();

@@ -7,6 +7,7 @@ namespace candela::kernel {
 /// Tests primitives behind the two-function interface. True when a search for any hit is over.
 template <class L, bool kAny>
 bool TestPrimitives(const PrimitiveLeaf& leaf, float entry, Search<L>* search) {
+  const Ray ray = search->CurrentRay();
   for (uint32_t i = 0; i < leaf.count; ++i) {
     const auto& [item, primitive] = leaf.entry[i];
     const ItemFacts& facts = search->group->items[item];
@@ -14,9 +15,9 @@ bool TestPrimitives(const PrimitiveLeaf& leaf, float entry, Search<L>* search) {
     HitRecord hit;
     // A hit as far away as the nearest one may win by its index.
     hit.t = JustAbove<L>(search->nearest.t);
-    if (!facts.set->IntersectPrimitive(search->space.ray, primitive, &hit)) continue;
+    if (!facts.set->IntersectPrimitive(ray, primitive, &hit)) continue;
     if (!search->Counts(entry, &hit.t) ||
-        !search->PassesFilter(facts, hit.t, hit.u, hit.v, item, primitive)) {
+        !search->PassesFilter(facts, hit.t, hit.u, hit.v, item, &leaf.entry[i].primitive)) {
       continue;
     }
     if (search->Offer(hit.t, hit.u, hit.v, item, &leaf.entry[i].primitive) && kAny) return true;

@@ -27,10 +27,24 @@ float JustAbove(float t) {
 struct Nearest {
   float t;  ///< Hits up to here, included, are of interest.
   float u, v;
-  uint32_t item = HitRecord::kNone;
+  uint32_t item;              ///< HitRecord::kNone: there is none.
   const uint32_t* primitive;  ///< Where its index is: read only when it is needed.
   int level;                  ///< Groups that were entered on the way to it.
   uint32_t path[HitRecord::kMostNested];  ///< The items of those groups, outermost first.
+
+  /// As it is reported.
+  [[gnu::always_inline]] void Store(HitRecord* hit) const {
+    hit->t = t;
+    hit->u = u;
+    hit->v = v;
+    hit->object = item;
+    hit->primitive = *primitive;
+    for (uint32_t& inner : hit->nested) inner = HitRecord::kNone;
+    if (level == 0) [[likely]] return;
+    hit->object = path[0];
+    for (int i = 1; i < level; ++i) hit->nested[i - 1] = path[i];
+    hit->nested[level - 1] = item;
+  }
 };
 
 /// One ray on its way through a group and the groups inside. Invariants:
@@ -70,19 +84,34 @@ struct Search {
     }
   }
 
+  /// The ray in the space of the current group.
+  Ray CurrentRay() const {
+    Ray ray(space.sheared.origin, space.sheared.direction);
+    ray.t_min = space.slabs.t_min;
+    ray.t_max = asked->t_max;
+    ray.time = Time();
+    ray.mask = asked->mask;
+    return ray;
+  }
+
+  /// Its time, in [0, 1]; 0 when it is not a number.
+  float Time() const {
+    const float time = asked->time;
+    return !(time > 0) ? 0 : time < 1 ? time : 1;
+  }
+
   /// False when the ray cannot hit anything.
-  bool Begin(const GroupData& outermost, const Ray& ray, float t_limit) {
+  [[gnu::always_inline]] bool Begin(const GroupData& outermost, const Ray& ray, float t_limit) {
     asked = &ray;
     nearest.t = JustBelow<L>(t_limit);
     nearest.item = HitRecord::kNone;
-    if (!(ray.t_min <= nearest.t) || !IsTraceable<L>(ray)) return false;
-    group = &outermost;
-    records = group->records.data();
-    space = MakeSpaceRay<L>(ray, group->largest_coordinate);
-    if (!(space.ray.time >= 0)) space.ray.time = 0;  // NaN too.
-    if (space.ray.time > 1) space.ray.time = 1;
+    if (!(ray.t_min >= 0 && ray.t_min <= nearest.t)) return false;
     level = 0;
     stack.size = 0;
+    if (!IsTraceable<L>(ray.origin, ray.direction)) return false;
+    group = &outermost;
+    records = group->records.data();
+    space.Set<L>(ray.origin, ray.direction, ray.t_min, group->largest_coordinate);
     EnterGroup();
     return true;
   }
@@ -125,31 +154,20 @@ struct Search {
     return true;
   }
 
-  /// The record of a hit, as it would be reported.
-  HitRecord RecordOfHit(float t, float u, float v, uint32_t item, uint32_t primitive, int depth,
-                        const uint32_t* items) const {
-    HitRecord hit;
-    hit.t = t;
-    hit.u = u;
-    hit.v = v;
-    hit.primitive = primitive;
-    hit.object = depth == 0 ? item : items[0];
-    for (int i = 1; i < depth; ++i) hit.nested[i - 1] = items[i];
-    if (depth > 0) hit.nested[depth - 1] = item;
-    return hit;
-  }
-
   /// Whether the filter of an item lets a hit count.
   bool PassesFilter(const ItemFacts& facts, float t, float u, float v, uint32_t item,
-                    uint32_t primitive) const {
+                    const uint32_t* primitive) const {
     if (!facts.filter) return true;
-    return facts.filter->Accepts(*asked, RecordOfHit(t, u, v, item, primitive, level, path));
+    Nearest candidate{t, u, v, item, primitive, level, {}};
+    for (int i = 0; i < level; ++i) candidate.path[i] = path[i];
+    HitRecord hit;
+    candidate.Store(&hit);
+    return facts.filter->Accepts(*asked, hit);
   }
 
-  bool Report(HitRecord* hit) const {
+  [[gnu::always_inline]] bool Report(HitRecord* hit) const {
     if (!HasHit()) return false;
-    *hit = RecordOfHit(nearest.t, nearest.u, nearest.v, nearest.item, *nearest.primitive,
-                       nearest.level, nearest.path);
+    nearest.Store(hit);
     return true;
   }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/ray.h"
 #include "geometry/triangle.h"
@@ -19,43 +20,54 @@ struct Slabs {
   float t_min;
 };
 
-/// A ray in the space of a group, prepared for its tests.
+/// Whether a ray can hit anything; comparisons alone would not always see that it cannot.
+template <class L>
+[[gnu::always_inline]] inline bool IsTraceable(Vec3 origin, Vec3 direction) {
+  const float length = LengthSquared(direction);
+  const float far = std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return length > 0 && length < kInfinity && far < kInfinity;
+}
+
+/// A ray in the space of a group, prepared for its tests. Filled in place, member by member: copies
+/// of what has just been written in parts make the processor wait.
 struct SpaceRay {
   Slabs slabs;
   ShearedRay sheared;
-  Ray ray;
-};
 
-/// Whether a ray can hit anything; comparisons alone would not always see that it cannot.
-template <class L>
-bool IsTraceable(const Ray& ray) {
-  const float length = LengthSquared(ray.direction);
-  return length > 0 && length <= std::numeric_limits<float>::max() && IsFinite(ray.origin) &&
-         ray.t_min >= 0;
-}
+  /// `largest` is the largest coordinate of the group's bounds, by magnitude.
+  template <class L>
+  [[gnu::always_inline]] void Set(Vec3 origin, Vec3 direction, float t_min, float largest) {
+    sheared.Set(origin, direction);
+    slabs.t_min = t_min + 0.0f;  // Turns -0 into 0, whose bits are ordered like the others.
+    const float farthest =
+        std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
+                 std::max(std::abs(origin.z), largest));
+    const bool is_usual = farthest <= kUsualCoordinate;
+    SetAxis<L>(0, origin.x, direction.x, is_usual, farthest);
+    SetAxis<L>(1, origin.y, direction.y, is_usual, farthest);
+    SetAxis<L>(2, origin.z, direction.z, is_usual, farthest);
+  }
 
-/// Reciprocals of direction components beyond this are replaced, so that no product overflows.
-constexpr float kUsualSlope = 1e15f;
-/// And for coordinates beyond this the bound on them is lower.
-constexpr float kUsualCoordinate = 1e20f;
+ private:
+  /// Reciprocals of direction components beyond this are replaced, so that no product overflows.
+  static constexpr float kUsualSlope = 1e15f;
+  /// And for coordinates beyond this the bound on them is lower.
+  static constexpr float kUsualCoordinate = 1e20f;
+  // More than the errors of the reciprocal, of two products and of the sum, and of a hit's t: see
+  // docs/kernel.md.
+  static constexpr float kScaleSlack = 3e-7f, kOffsetSlack = 8e-7f;
 
-/// `largest` is the largest coordinate of the group's bounds, by magnitude.
-template <class L>
-Slabs MakeSlabs(const Ray& ray, float largest) {
-  // Errors of the reciprocal, of two products and of the sum, for hits as well: see docs/kernel.md.
-  constexpr float kScaleSlack = 3e-7f, kOffsetSlack = 8e-7f;
-  Slabs slabs;
-  slabs.t_min = ray.t_min + 0.0f;  // Turns -0 into 0, whose bits are ordered like the others.
-  const float farthest = std::max(std::max(std::abs(ray.origin.x), std::abs(ray.origin.y)),
-                                  std::max(std::abs(ray.origin.z), largest));
-  for (int axis = 0; axis < 3; ++axis) {
-    float slope = 1 / ray.direction[axis];
-    if (!(std::abs(slope) <= kUsualSlope && farthest <= kUsualCoordinate)) {
+  template <class L>
+  [[gnu::always_inline]] void SetAxis(int axis, float origin, float direction, bool is_usual,
+                                      float farthest) {
+    float slope = 1 / direction;
+    if (!(is_usual && std::abs(slope) <= kUsualSlope)) [[unlikely]] {
       // As steep as the coordinates allow: a ray along a slab then leaves it practically never.
       const float steepest = 1e37f / std::max(1.0f, farthest);
-      slope = std::copysign(std::min(std::abs(slope), steepest), ray.direction[axis]);
+      slope = std::copysign(std::min(std::abs(slope), steepest), direction);
     }
-    const float offset = ray.origin[axis] * slope;
+    const float offset = origin * slope;
     const float slack = std::abs(offset) * kOffsetSlack;
     slabs.near_scale[axis] = slope * (1 - kScaleSlack);
     slabs.far_scale[axis] = slope * (1 + kScaleSlack);
@@ -63,12 +75,6 @@ Slabs MakeSlabs(const Ray& ray, float largest) {
     slabs.far_offset[axis] = offset - slack;
     slabs.near_row[axis] = static_cast<uint32_t>(2 * axis) + (slope < 0 ? 1u : 0u);
   }
-  return slabs;
-}
-
-template <class L>
-SpaceRay MakeSpaceRay(const Ray& ray, float largest) {
-  return {MakeSlabs<L>(ray, largest), ShearedRay(ray), ray};
-}
+};
 
 }  // namespace candela::kernel

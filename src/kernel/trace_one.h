@@ -32,7 +32,7 @@ template <class L, bool kAny>
       const auto& node = *reinterpret_cast<const MovingNode<L::kWidth>*>(record);
       const auto hits =
           TestBoxes(WideSlabs<F>(search->space.slabs), search->space.slabs, node,
-                    F::Broadcast(search->nearest.t), search->space.ray.time);
+                    F::Broadcast(search->nearest.t), search->Time());
       if (hits.bits == 0) return false;
       NodeStack* stack = &search->stack;
       const StackEntry next =

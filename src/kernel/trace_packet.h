@@ -88,7 +88,7 @@ class PacketSearch {
         near_offset_[axis][i] = space.slabs.near_offset[axis];
         far_scale_[axis][i] = space.slabs.far_scale[axis];
         far_offset_[axis][i] = space.slabs.far_offset[axis];
-        origin_[axis][i] = space.ray.origin[axis];
+        origin_[axis][i] = space.sheared.origin[axis];
       }
       shear_[0][i] = space.sheared.shear_x;
       shear_[1][i] = space.sheared.shear_y;

@@ -66,7 +66,7 @@ template <class L, bool kAny, bool kChecked>
     const uint32_t* primitive = &search->group->triangle_ids[leaf.first + lane];
     if constexpr (kChecked) {
       const ItemFacts& facts = search->group->items[leaf.item];
-      if (!search->PassesFilter(facts, hit.t, hit.u, hit.v, leaf.item, *primitive)) continue;
+      if (!search->PassesFilter(facts, hit.t, hit.u, hit.v, leaf.item, primitive)) continue;
     }
     if (search->Offer(hit.t, hit.u, hit.v, leaf.item, primitive) && kAny) return true;
   }
@@ -95,7 +95,7 @@ bool TestCheckedTriangles(const TriangleLeaf& leaf, float entry, Search<L>* sear
   if ((search->group->items[leaf.item].mask & search->asked->mask) == 0) return false;
   if (leaf.steps == 1) return TestTriangles<L, kAny, true>(leaf, leaf.vertex, entry, search);
   alignas(64) float vertex[3][8];
-  VerticesAt<L>(leaf, search->space.ray.time, vertex);
+  VerticesAt<L>(leaf, search->Time(), vertex);
   return TestTriangles<L, kAny, true>(leaf, vertex, entry, search);
 }
 

@@ -1,0 +1,154 @@
+#include "kernel/build_group.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string>
+
+#include "base/check.h"
+#include "kernel/build/binary_builder.h"
+#include "kernel/build/collapse.h"
+#include "kernel/build/emit.h"
+#include "kernel/build/leaf_writer.h"
+
+namespace candela::kernel {
+namespace {
+
+/// A binary tree, and what becomes of it.
+struct ChosenNodes {
+  BinaryTree tree;
+  std::optional<Collapse> collapse;
+};
+
+class GroupBuilder {
+ public:
+  GroupBuilder(const GroupInput& input, BuildQuality quality, int width, const CancelToken* cancel)
+      : input_(input), items_(MakeBuildItems(input)), quality_(quality), cancel_(cancel) {
+    group_.width = width;
+  }
+
+  Result<GroupData> Build() {
+    if (const Result<void> facts = CopyFacts(); !facts) return facts.error();
+    FragmentList lists[2];
+    for (int i = 0; i < 2; ++i) {
+      lists[i] = CollectFragments(items_, i == 1, 1, cancel_);
+      group_.bounds.Extend(lists[i].bounds);
+    }
+    // Usually the first tree is it. One that a search would need a large stack for is built again,
+    // flatter: at last simply halved, down from the root.
+    const uint32_t most = std::max(lists[0].count, lists[1].count);
+    const auto levels = static_cast<uint32_t>(std::bit_width(most));
+    uint32_t need = 0;
+    for (const uint32_t halving_depth : {64 + levels, levels + 8, 0u}) {
+      const Result<uint32_t> result = BuildTrees(lists, halving_depth);
+      if (!result) return result.error();
+      need = *result;
+      if (need <= kMostTreeStack) break;
+    }
+    CHECK(need <= kMostTreeStack);
+    WriteUnbounded(lists);
+    return std::move(group_);
+  }
+
+ private:
+  /// What searches know of the items. Fails when groups nest too deeply.
+  Result<void> CopyFacts() {
+    for (const GroupItem& item : input_) {
+      ItemFacts& facts = group_.items.emplace_back();
+      facts.mask = item.mask;
+      facts.filter = item.filter;
+      if (const auto* primitives = std::get_if<PrimitiveInput>(&item.content)) {
+        facts.set = primitives->set;
+      } else if (const auto* instance = std::get_if<InstanceInput>(&item.content)) {
+        facts.group = instance->group;
+        if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
+        group_.levels = std::max(group_.levels, 1 + facts.group->data().levels);
+      }
+    }
+    if (group_.levels > kMostLevels) {
+      return Error{ErrorCode::kResources, "groups are nested too deeply: at most " +
+                                              std::to_string(HitRecord::kMostNested) +
+                                              " inside one another"};
+    }
+    return {};
+  }
+
+  Result<uint32_t> BuildTrees(FragmentList* lists, uint32_t halving_depth) {
+    ChosenNodes nodes[2];
+    ChosenTree trees[2];
+    const ChosenTree* present[2] = {nullptr, nullptr};
+    for (int i = 0; i < 2; ++i) {
+      if (lists[i].count == 0) continue;
+      BinaryOptions options;
+      options.halving_depth = halving_depth;
+      options.down_to_one = quality_ == BuildQuality::kBest;
+      options.cancel = cancel_;
+      nodes[i].tree = BuildBinaryTree(items_, &lists[i], options);
+      Collapse& collapse = nodes[i].collapse.emplace(items_, &nodes[i].tree, cancel_);
+      if (options.down_to_one) collapse.JoinLeaves();
+      if (!options.down_to_one || group_.width != 8) collapse.ChooseNodes(group_.width);
+      trees[i] = {&nodes[i].tree, &collapse};
+      present[i] = &trees[i];
+    }
+    if (!present[0] && !present[1]) {
+      group_.records = Arena(UnboundedRecords(lists));
+      return uint32_t{0};
+    }
+    return EmitTrees(items_, present[0], present[1], UnboundedRecords(lists), cancel_, &group_);
+  }
+
+  uint32_t UnboundedRecords(const FragmentList* lists) const {
+    uint32_t primitives = 0, records = 0;
+    for (int i = 0; i < 2; ++i) {
+      for (const FragmentList::Unbounded& each : lists[i].unbounded) {
+        items_[each.item].instance ? ++records : ++primitives;
+      }
+    }
+    return records + (primitives + PrimitiveLeaf::kMost - 1) / PrimitiveLeaf::kMost;
+  }
+
+  /// The last records.
+  void WriteUnbounded(const FragmentList* lists) {
+    auto record = static_cast<uint32_t>(group_.records.size()) - UnboundedRecords(lists);
+    std::vector<BinaryTree::Entry> primitives;
+    for (int i = 0; i < 2; ++i) {
+      for (const FragmentList::Unbounded& each : lists[i].unbounded) {
+        const BuildItem& item = items_[each.item];
+        if (!item.instance) {
+          primitives.push_back({each.item, each.primitive});
+          continue;
+        }
+        WriteInstance(item, each.item, group_.records.data() + record);
+        group_.unbounded.push_back(MakeReference(RecordKind::kInstance, record++));
+        group_.stack_need =
+            std::max(group_.stack_need, 1 + item.instance->group->data().stack_need);
+      }
+    }
+    for (size_t i = 0; i < primitives.size(); i += PrimitiveLeaf::kMost) {
+      const size_t count = std::min<size_t>(PrimitiveLeaf::kMost, primitives.size() - i);
+      WriteLeaf(items_[primitives[i].item], {&primitives[i], count}, 0,
+                group_.records.data() + record, nullptr);
+      group_.unbounded.push_back(MakeReference(RecordKind::kPrimitives, record++));
+    }
+  }
+
+  const GroupInput& input_;
+  const std::vector<BuildItem> items_;
+  const BuildQuality quality_;
+  const CancelToken* const cancel_;
+  GroupData group_;
+};
+
+}  // namespace
+
+Result<GroupData> BuildGroup(const GroupInput& input, BuildQuality quality, int width,
+                             const CancelToken* cancel) {
+  CHECK(width == 8 || width == 16);
+  try {
+    return GroupBuilder(input, quality, width, cancel).Build();
+  } catch (const BuildStopped&) {
+    return Error{ErrorCode::kStopped, "stopped on request"};
+  }
+}
+
+}  // namespace candela::kernel

@@ -15,45 +15,53 @@ template <int W>
   for (int line = 0; line < bytes; line += 64) __builtin_prefetch(address + line);
 }
 
-/// Picks the nearest of the children that were met, `bits` not 0, as the next one, and puts the
-/// others on the stack, the nearest last. One and two are the usual numbers and come first, with
-/// branches: a predicted branch lets the next record be fetched before the distances are known.
-/// With `kPrefetch` the others are fetched, too.
+/// What is looked at next. Its distance stays apart from the reference, which is known earlier and
+/// is what the next load waits for.
+struct NextChild {
+  Reference reference;
+  float entry;
+};
+
+/// Picks the nearest of the children that were met, `hits.bits` not 0, as the next one, and puts
+/// the others on the stack, the nearest last; with `kPrefetch` those are fetched, too. One and two
+/// are the usual numbers and come first, with branches: a predicted branch lets the next record be
+/// fetched before the distances are known.
 template <int W, bool kPrefetch, class F>
-[[gnu::always_inline]] inline StackEntry OrderChildren(const BoxHits<F>& hits,
-                                                       const Reference* child,
-                                                       const Record* records, NodeStack* stack) {
+[[gnu::always_inline]] inline NextChild OrderChildren(const BoxHits<F>& hits,
+                                                      const Reference* child,
+                                                      const Record* records, NodeStack* stack) {
   alignas(64) float entry[F::kCount];
   hits.entry.Store(entry);
   uint32_t bits = hits.bits;
-  const auto take = [&] {
-    const int lane = std::countr_zero(bits);
-    bits &= bits - 1;
-    return MakeEntry(entry[lane], child[lane]);
-  };
+  const int first = std::countr_zero(bits);
+  bits &= bits - 1;
+  if (bits == 0) return {child[first], entry[first]};
 
-  const StackEntry first = take();
-  if (bits == 0) return first;
-
-  const StackEntry second = take();
+  const int second = std::countr_zero(bits);
+  bits &= bits - 1;
   if (bits == 0) {
-    if (first < second) {
-      if (kPrefetch) PrefetchRecord<W>(records, ReferenceOf(second));
-      stack->entry[stack->size++] = second;
-      return first;
+    const Reference one = child[first], two = child[second];
+    if (entry[first] <= entry[second]) {
+      if (kPrefetch) PrefetchRecord<W>(records, two);
+      stack->entry[stack->size++] = MakeEntry(entry[second], two);
+      return {one, entry[first]};
     }
-    if (kPrefetch) PrefetchRecord<W>(records, ReferenceOf(first));
-    stack->entry[stack->size++] = first;
-    return second;
+    if (kPrefetch) PrefetchRecord<W>(records, one);
+    stack->entry[stack->size++] = MakeEntry(entry[first], one);
+    return {two, entry[second]};
   }
 
   // Insertion into the upper part of the stack, which stays ordered from far to near.
   StackEntry* const base = stack->entry + stack->size;
-  base[0] = first > second ? first : second;
-  base[1] = first > second ? second : first;
+  const StackEntry one = MakeEntry(entry[first], child[first]);
+  const StackEntry two = MakeEntry(entry[second], child[second]);
+  base[0] = one > two ? one : two;
+  base[1] = one > two ? two : one;
   uint32_t count = 2;
   do {
-    const StackEntry next = take();
+    const int lane = std::countr_zero(bits);
+    bits &= bits - 1;
+    const StackEntry next = MakeEntry(entry[lane], child[lane]);
     uint32_t place = count++;
     for (; place > 0 && base[place - 1] < next; --place) base[place] = base[place - 1];
     base[place] = next;
@@ -62,7 +70,8 @@ template <int W, bool kPrefetch, class F>
     for (uint32_t i = 0; i + 1 < count; ++i) PrefetchRecord<W>(records, ReferenceOf(base[i]));
   }
   stack->size += count - 1;
-  return base[count - 1];
+  const StackEntry nearest = base[count - 1];
+  return {ReferenceOf(nearest), EntryOf(nearest)};
 }
 
 }  // namespace candela::kernel

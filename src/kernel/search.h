@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "geometry/hit_record.h"
+#include "kernel/child_order.h"
 #include "kernel/group.h"
 #include "kernel/group_data.h"
 #include "kernel/node_stack.h"
@@ -64,7 +65,7 @@ struct Search {
   const Record* records;    ///< its records,
   SpaceRay space;           ///< and the ray in its space.
   Nearest nearest;
-  StackEntry current;       ///< What is looked at next, when many rays take turns.
+  NextChild current;        ///< What is looked at next, when many rays take turns.
   int level = 0;
   uint32_t path[HitRecord::kMostNested];
   NodeStack stack;

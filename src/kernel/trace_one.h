@@ -11,16 +11,14 @@ namespace candela::kernel {
 
 /// Looks at something that is neither a node nor a plain triangle leaf. True when the search is over.
 template <class L, bool kAny>
-[[gnu::noinline]] bool VisitOther(StackEntry entry, Search<L>* search) {
-  const Reference reference = ReferenceOf(entry);
+[[gnu::noinline]] bool VisitOther(Reference reference, float entry, Search<L>* search) {
   const Record* record = search->records + RecordOf(reference);
   switch (KindOf(reference)) {
     case RecordKind::kCheckedTriangles:
       return TestCheckedTriangles<L, kAny>(*reinterpret_cast<const TriangleLeaf*>(record),
-                                           EntryOf(entry), search);
+                                           entry, search);
     case RecordKind::kPrimitives:
-      return TestPrimitives<L, kAny>(*reinterpret_cast<const PrimitiveLeaf*>(record),
-                                     EntryOf(entry), search);
+      return TestPrimitives<L, kAny>(*reinterpret_cast<const PrimitiveLeaf*>(record), entry, search);
     case RecordKind::kInstance:
       EnterInstance<L>(*reinterpret_cast<const InstanceLeaf*>(record), search);
       return false;
@@ -35,9 +33,9 @@ template <class L, bool kAny>
                     F::Broadcast(search->nearest.t), search->Time());
       if (hits.bits == 0) return false;
       NodeStack* stack = &search->stack;
-      const StackEntry next =
+      const NextChild next =
           OrderChildren<L::kWidth, true>(hits, node.child, search->records, stack);
-      stack->entry[stack->size++] = next;
+      stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
       return false;
     }
     default:
@@ -58,31 +56,27 @@ void Finish(Search<L>* search) {
     const int level = search->level;
     while (search->level == level) {
       if (stack->size == 0) return;
-      StackEntry entry = stack->entry[--stack->size];
+      const StackEntry top = stack->entry[--stack->size];
       // At equal distance something may still win by its index.
-      if (EntryOf(entry) > search->nearest.t) continue;
+      if (EntryOf(top) > search->nearest.t) continue;
 
-      bool is_inside = true;
-      while (IsNode(ReferenceOf(entry))) {
+      NextChild next = {ReferenceOf(top), EntryOf(top)};
+      bool is_missed = false;
+      while (IsNode(next.reference)) {
         const auto& node =
-            *reinterpret_cast<const WideNode<L::kWidth>*>(records + ReferenceOf(entry));
+            *reinterpret_cast<const WideNode<L::kWidth>*>(records + next.reference);
         const auto hits = TestBoxes(wide, slabs, node, F::Broadcast(search->nearest.t));
-        if (hits.bits == 0) {
-          is_inside = false;
-          break;
-        }
-        entry = OrderChildren<L::kWidth, true>(hits, node.child, records, stack);
+        is_missed = hits.bits == 0;
+        if (is_missed) break;
+        next = OrderChildren<L::kWidth, true>(hits, node.child, records, stack);
       }
-      if (!is_inside) continue;
+      if (is_missed) continue;
 
-      const Reference reference = ReferenceOf(entry);
-      if (KindOf(reference) == RecordKind::kTriangles) [[likely]] {
+      if (KindOf(next.reference) == RecordKind::kTriangles) [[likely]] {
         const auto& leaf =
-            *reinterpret_cast<const TriangleLeaf*>(records + RecordOf(reference));
-        if (TestTriangles<L, kAny, false>(leaf, leaf.vertex, EntryOf(entry), search) && kAny) {
-          return;
-        }
-      } else if (VisitOther<L, kAny>(entry, search)) {
+            *reinterpret_cast<const TriangleLeaf*>(records + RecordOf(next.reference));
+        if (TestTriangles<L, kAny, false>(leaf, leaf.vertex, next.entry, search) && kAny) return;
+      } else if (VisitOther<L, kAny>(next.reference, next.entry, search)) {
         return;
       }
     }

@@ -66,7 +66,7 @@ class SpanSearch {
     while (stack.size > 0) {
       const StackEntry entry = stack.entry[--stack.size];
       if (EntryOf(entry) > search->nearest.t) continue;
-      search->current = entry;
+      search->current = {ReferenceOf(entry), EntryOf(entry)};
       PrefetchRecord<L::kWidth>(search->records, ReferenceOf(entry));
       return true;
     }
@@ -76,8 +76,7 @@ class SpanSearch {
   /// One record of one ray. True when the ray is done.
   static bool Step(Search<L>* search) {
     using F = typename L::Node;
-    const StackEntry entry = search->current;
-    const Reference reference = ReferenceOf(entry);
+    const auto [reference, entry] = search->current;
     if (IsNode(reference)) {
       const auto& node =
           *reinterpret_cast<const WideNode<L::kWidth>*>(search->records + reference);
@@ -87,16 +86,16 @@ class SpanSearch {
       if (hits.bits == 0) return !Pop(search);
       search->current = OrderChildren<L::kWidth, false>(hits, node.child, search->records,
                                                         &search->stack);
-      PrefetchRecord<L::kWidth>(search->records, ReferenceOf(search->current));
+      PrefetchRecord<L::kWidth>(search->records, search->current.reference);
       return false;
     }
     if (KindOf(reference) == RecordKind::kTriangles) {
       const auto& leaf =
           *reinterpret_cast<const TriangleLeaf*>(search->records + RecordOf(reference));
-      if (TestTriangles<L, kAny, false>(leaf, leaf.vertex, EntryOf(entry), search) && kAny) {
+      if (TestTriangles<L, kAny, false>(leaf, leaf.vertex, entry, search) && kAny) {
         return true;
       }
-    } else if (VisitOther<L, kAny>(entry, search)) {
+    } else if (VisitOther<L, kAny>(reference, entry, search)) {
       return true;
     }
     return !Pop(search);

@@ -57,6 +57,6 @@ struct GroupData {
 /// builder keeps within them.
 constexpr int kMostLevels = 1 + HitRecord::kMostNested;
 constexpr uint32_t kMostTreeStack = 200;  ///< Of one tree.
-constexpr uint32_t kMostStack = kMostLevels * (kMostTreeStack + 2);
+constexpr uint32_t kMostStack = kMostLevels * (kMostTreeStack + 2) + 16;
 
 }  // namespace candela::kernel

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <memory>
+#include <bit>
+#include <utility>
 
 #include "kernel/trace_one.h"
 
@@ -8,11 +9,13 @@ namespace candela::kernel {
 
 /// Many rays in flight on one thread, each taking one step in its turn: while one waits for its next
 /// record to come from memory, the others work. After Kocberber, Falsafi and Grot, "Asynchronous
-/// Memory Access Chaining", 2015.
+/// Memory Access Chaining", 2015. Since turns leave no pattern that a branch predictor could learn,
+/// steps have as few branches as possible: rays that look at the same kind of record take their
+/// turns together, and children are put in order by a sorting network.
 template <class L, bool kAny>
 class SpanSearch {
  public:
-  static constexpr int kInFlight = 32;
+  static constexpr uint32_t kInFlight = 32;
 
   SpanSearch(const GroupData& group, const Ray* rays, size_t count)
       : group_(group), rays_(rays), count_(count) {}
@@ -21,22 +24,28 @@ class SpanSearch {
   /// goes.
   template <class Limit, class Report>
   void Run(Limit limit, Report report) {
-    int active = 0;
-    for (; active < kInFlight; ++active) {
-      if (!TakeNext(&slots_[active], limit, report)) break;
-    }
-    while (active > 0) {
-      for (int i = 0; i < active;) {
-        Slot& slot = slots_[order_[i]];
-        if (Step(&slot.search)) {
-          report(slot.index, slot.search);
-          if (!TakeNext(&slot, limit, report)) {
-            std::swap(order_[i], order_[--active]);
-            continue;
-          }
-        }
-        ++i;
-      }
+    for (uint32_t i = 0; i < kInFlight; ++i) TakeNext(i, limit, report);
+    while (waiting_[kNodes].size + waiting_[kTriangles].size + waiting_[kOthers].size > 0) {
+      ForAllOf(kNodes, [&](uint32_t i) {
+        StepIntoNode(&slots_[i].search);
+        Advance(i, limit, report);
+      });
+      ForAllOf(kTriangles, [&](uint32_t i) {
+        Search<L>* search = &slots_[i].search;
+        const auto& leaf = *reinterpret_cast<const TriangleLeaf*>(
+            search->records + RecordOf(search->current.reference));
+        const bool is_over =
+            TestTriangles<L, kAny, false>(leaf, leaf.vertex, search->current.entry, search);
+        if (kAny && is_over) search->stack.size = 0;
+        Advance(i, limit, report);
+      });
+      ForAllOf(kOthers, [&](uint32_t i) {
+        Search<L>* search = &slots_[i].search;
+        const bool is_over = VisitOther<L, kAny>(search->current.reference,
+                                                 search->current.entry, search);
+        if (kAny && is_over) search->stack.size = 0;
+        Advance(i, limit, report);
+      });
     }
   }
 
@@ -46,67 +55,104 @@ class SpanSearch {
     size_t index;
   };
 
-  /// Starts the next ray that can hit anything; false when none is left.
+  /// The slots whose current record is of one kind.
+  enum Kind : uint32_t { kNodes, kTriangles, kOthers, kKinds };
+  struct List {
+    uint32_t size = 0;
+    uint8_t slot[kInFlight];
+  };
+
+  /// Calls `step` for each slot on a list, which begins a new list.
+  template <class Step>
+  void ForAllOf(Kind kind, Step step) {
+    const List list = waiting_[kind];
+    waiting_[kind].size = 0;
+    for (uint32_t i = 0; i < list.size; ++i) step(list.slot[i]);
+  }
+
+  /// Starts the next ray that can hit anything, if one is left.
   template <class Limit, class Report>
-  bool TakeNext(Slot* slot, Limit limit, Report report) {
+  void TakeNext(uint32_t slot, Limit limit, Report report) {
     while (next_ < count_) {
-      slot->index = next_++;
-      if (slot->search.Begin(group_, rays_[slot->index], limit(slot->index)) &&
-          Pop(&slot->search)) {
-        return true;
+      Search<L>* search = &slots_[slot].search;
+      const size_t index = next_++;
+      slots_[slot].index = index;
+      if (search->Begin(group_, rays_[index], limit(index)) && Pop(search)) {
+        Enqueue(slot);
+        return;
       }
-      report(slot->index, slot->search);
+      report(index, *search);
     }
-    return false;
+  }
+
+  /// Goes on with what is next for a ray, or with the next ray.
+  template <class Limit, class Report>
+  [[gnu::always_inline]] void Advance(uint32_t slot, Limit limit, Report report) {
+    if (Pop(&slots_[slot].search)) [[likely]] {
+      Enqueue(slot);
+      return;
+    }
+    report(slots_[slot].index, slots_[slot].search);
+    TakeNext(slot, limit, report);
+  }
+
+  [[gnu::always_inline]] void Enqueue(uint32_t slot) {
+    const auto kind = static_cast<uint32_t>(KindOf(slots_[slot].search.current.reference));
+    List& list = waiting_[std::min<uint32_t>(kind, kOthers)];
+    list.slot[list.size++] = static_cast<uint8_t>(slot);
   }
 
   /// Takes the next thing from the stack that is not too far; false when there is none.
-  static bool Pop(Search<L>* search) {
+  [[gnu::always_inline]] static bool Pop(Search<L>* search) {
     NodeStack& stack = search->stack;
-    while (stack.size > 0) {
-      const StackEntry entry = stack.entry[--stack.size];
-      if (EntryOf(entry) > search->nearest.t) continue;
+    const float limit = search->nearest.t;
+    for (uint32_t size = stack.size; size > 0;) {
+      const StackEntry entry = stack.entry[--size];
+      if (EntryOf(entry) > limit) continue;
+      stack.size = size;
       search->current = {ReferenceOf(entry), EntryOf(entry)};
       PrefetchRecord<L::kWidth>(search->records, ReferenceOf(entry));
       return true;
     }
+    stack.size = 0;
     return false;
   }
 
-  /// One record of one ray. True when the ray is done.
-  static bool Step(Search<L>* search) {
+  /// Puts the children that are met on the stack, from far to near.
+  [[gnu::always_inline]] static void StepIntoNode(Search<L>* search) {
     using F = typename L::Node;
-    const auto [reference, entry] = search->current;
-    if (IsNode(reference)) {
-      const auto& node =
-          *reinterpret_cast<const WideNode<L::kWidth>*>(search->records + reference);
-      const Slabs& slabs = search->space.slabs;
-      const auto hits = TestBoxes(WideSlabs<F>(slabs), slabs, node,
-                                  F::Broadcast(search->nearest.t));
-      if (hits.bits == 0) return !Pop(search);
-      search->current = OrderChildren<L::kWidth, false>(hits, node.child, search->records,
-                                                        &search->stack);
-      PrefetchRecord<L::kWidth>(search->records, search->current.reference);
-      return false;
-    }
-    if (KindOf(reference) == RecordKind::kTriangles) {
-      const auto& leaf =
-          *reinterpret_cast<const TriangleLeaf*>(search->records + RecordOf(reference));
-      if (TestTriangles<L, kAny, false>(leaf, leaf.vertex, entry, search) && kAny) {
-        return true;
+    const auto& node = *reinterpret_cast<const WideNode<L::kWidth>*>(search->records +
+                                                                     search->current.reference);
+    const Slabs& slabs = search->space.slabs;
+    const auto hits =
+        TestBoxes(WideSlabs<F>(slabs), slabs, node, F::Broadcast(search->nearest.t));
+    NodeStack& stack = search->stack;
+    const F child = F::Load(reinterpret_cast<const float*>(node.child));
+    const auto count = static_cast<uint32_t>(std::popcount(hits.bits));
+    if constexpr (L::kWidth == 8) {
+      const auto order = OrderFarToNear(hits.entry, hits.bits);
+      StorePairs(Permute(child, order), Permute(hits.entry, order), stack.entry + stack.size);
+      stack.size += count;
+    } else {
+      if (count > 8) [[unlikely]] {
+        const NextChild next =
+            OrderChildren<L::kWidth, false>(hits, node.child, search->records, &stack);
+        stack.entry[stack.size++] = MakeEntry(next.entry, next.reference);
+        return;
       }
-    } else if (VisitOther<L, kAny>(reference, entry, search)) {
-      return true;
+      const auto entry = Compact(hits.entry, hits.bits);
+      const auto order = OrderFarToNear(entry, (1u << count) - 1);
+      StorePairs(Permute(Compact(child, hits.bits), order), Permute(entry, order),
+                 stack.entry + stack.size);
+      stack.size += count;
     }
-    return !Pop(search);
   }
 
   const GroupData& group_;
   const Ray* rays_;
   size_t count_;
   size_t next_ = 0;
-  uint8_t order_[kInFlight] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
-                               16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
+  List waiting_[kKinds];
   Slot slots_[kInFlight];
 };
 

@@ -6,6 +6,6 @@
 
 namespace candela::kernel {
 
-const TraceFunctions kAvx512Functions = FunctionsFor<avx512::IsaLanes>();
+const TraceFunctions kAvx512Functions = FunctionsFor<avx512::IsaLanes<16>>();
 
 }  // namespace candela::kernel

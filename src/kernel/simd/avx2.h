@@ -112,6 +112,39 @@ inline Double16 ToDouble(Float16 a) {
   return {{lower(a.low), upper(a.low), lower(a.high), upper(a.high)}};
 }
 
+/// One step of Batcher's bitonic sort, "Sorting Networks and their Applications", 1968: lanes are
+/// compared with their partners, and those of `kSmaller` keep the smaller one.
+template <int kSmaller>
+[[gnu::always_inline]] inline __m256i KeepOrdered(__m256i keys, __m256i partners) {
+  return _mm256_blend_epi32(_mm256_max_epi32(keys, partners), _mm256_min_epi32(keys, partners),
+                            kSmaller);
+}
+
+inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+  // Distances are not negative, so their bits are ordered like signed numbers; -1 is below all.
+  const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  const __m256i is_out = _mm256_cmpeq_epi32(
+      _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)),
+                       _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128)),
+      _mm256_setzero_si256());
+  const __m256i near = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(distance.v));
+  __m256i keys = _mm256_or_si256(_mm256_or_si256(near, lanes), is_out);
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b00011011));
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  const __m256i backwards = _mm256_setr_epi32(7, 6, 5, 4, 3, 2, 1, 0);
+  keys = KeepOrdered<0b11110000>(keys, _mm256_permutevar8x32_epi32(keys, backwards));
+  keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b01001110));
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  return {keys};
+}
+
+inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
+  const __m256 even = _mm256_unpacklo_ps(low.v, high.v), odd = _mm256_unpackhi_ps(low.v, high.v);
+  _mm256_storeu_ps(reinterpret_cast<float*>(to), _mm256_permute2f128_ps(even, odd, 0x20));
+  _mm256_storeu_ps(reinterpret_cast<float*>(to + 4), _mm256_permute2f128_ps(even, odd, 0x31));
+}
+
 struct IsaLanes {
   static constexpr int kWidth = 8;
   using Node = Float8;

@@ -3,6 +3,7 @@
 #include <immintrin.h>
 
 #include <cstdint>
+#include <type_traits>
 
 /// Lanes of AVX-512 (F, VL, DQ, BW); `scalar.h` says what each operation means.
 namespace candela::kernel::avx512 {
@@ -68,6 +69,11 @@ struct Float16 {
   }
 };
 
+/// The lanes of `bits`, at most 8, side by side.
+inline Float8 Compact(Float16 a, uint32_t bits) {
+  return {_mm512_castps512_ps256(_mm512_maskz_compress_ps(_cvtu32_mask16(bits), a.v))};
+}
+
 struct Double16 {
   __m512d low, high;
 
@@ -97,9 +103,40 @@ inline Double16 ToDouble(Float16 a) {
           _mm512_cvtps_pd(_mm512_extractf32x8_ps(a.v, 1))};
 }
 
+/// One step of Batcher's bitonic sort, "Sorting Networks and their Applications", 1968: lanes are
+/// compared with their partners, and those of `kSmaller` keep the smaller one.
+template <int kSmaller>
+[[gnu::always_inline]] inline __m256i KeepOrdered(__m256i keys, __m256i partners) {
+  return _mm256_blend_epi32(_mm256_max_epi32(keys, partners), _mm256_min_epi32(keys, partners),
+                            kSmaller);
+}
+
+inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+  // Distances are not negative, so their bits are ordered like signed numbers; -1 is below all.
+  const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+  const __m256i near = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(distance.v));
+  __m256i keys = _mm256_mask_or_epi32(_mm256_set1_epi32(-1), _cvtu32_mask8(bits), near, lanes);
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b00011011));
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  const __m256i backwards = _mm256_setr_epi32(7, 6, 5, 4, 3, 2, 1, 0);
+  keys = KeepOrdered<0b11110000>(keys, _mm256_permutevar8x32_epi32(keys, backwards));
+  keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b01001110));
+  keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
+  return {keys};
+}
+
+inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
+  const __m256 even = _mm256_unpacklo_ps(low.v, high.v), odd = _mm256_unpackhi_ps(low.v, high.v);
+  _mm256_storeu_ps(reinterpret_cast<float*>(to), _mm256_permute2f128_ps(even, odd, 0x20));
+  _mm256_storeu_ps(reinterpret_cast<float*>(to + 4), _mm256_permute2f128_ps(even, odd, 0x31));
+}
+
+/// Nodes of 8 children, for many rays in flight, and of 16.
+template <int W>
 struct IsaLanes {
-  static constexpr int kWidth = 16;
-  using Node = Float16;
+  static constexpr int kWidth = W;
+  using Node = std::conditional_t<W == 16, Float16, Float8>;
   using Leaf = Float8;
   using Index = Index8;
   using Packet = Float16;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 
 /// Lanes without instructions of their own: what every other file of this folder has to equal, bit
 /// for bit. Read this one first.
@@ -85,6 +88,28 @@ using Float8 = Lanes<float, 8>;
 /// Lane i of the result is the lane of `from` with number i of `index`.
 inline Float8 Permute(Float8 from, Index8 index) {
   return Float8::Each([&](int i) { return from.lane[index.lane[i]]; });
+}
+
+/// The lanes of `bits` first, in the order of their distances from far to near, all others behind;
+/// distances that differ in their last three bits only are in the order of the lanes, backwards.
+inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+  int64_t key[8];
+  for (uint32_t i = 0; i < 8; ++i) {
+    const uint32_t distance_bits = std::bit_cast<uint32_t>(distance.lane[i]);
+    key[i] = bits >> i & 1 ? int64_t{distance_bits & ~7u | i} : -1 - int64_t{i};
+  }
+  std::sort(key, key + 8, std::greater<>());
+  Index8 index;
+  for (int i = 0; i < 8; ++i) index.lane[i] = static_cast<uint32_t>(key[i]) & 7;
+  return index;
+}
+
+/// Writes pairs of lanes, the one of `low` first.
+inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
+  for (int i = 0; i < 8; ++i) {
+    to[i] = uint64_t{std::bit_cast<uint32_t>(high.lane[i])} << 32 |
+            std::bit_cast<uint32_t>(low.lane[i]);
+  }
 }
 
 /// What the traversal is compiled with.

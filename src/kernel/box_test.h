@@ -53,12 +53,15 @@ template <class F, int W>
   return TestSlabs(wide, slabs, limit, [&](uint32_t row) { return F::Load(node.box[row]); });
 }
 
-/// The boxes of a moving node at the ray's time.
+/// The boxes of a moving node at the ray's time. The ends of the time are left out, less than the
+/// builder's padding of moving boxes: the boxes of children that are not there are infinite, and 0
+/// times infinity is not a number, which would let them pass.
 template <class F, int W>
 [[gnu::always_inline]] inline BoxHits<F> TestBoxes(const WideSlabs<F>& wide, const Slabs& slabs,
                                                    const MovingNode<W>& node, F limit,
                                                    float time) {
-  const F before = F::Broadcast(1 - time), after = F::Broadcast(time);
+  const float inner = time < 1e-30f ? 1e-30f : time < 0x1.fffffep-1f ? time : 0x1.fffffep-1f;
+  const F before = F::Broadcast(1 - inner), after = F::Broadcast(inner);
   return TestSlabs(wide, slabs, limit, [&](uint32_t row) {
     return F::Load(node.box[0][row]) * before + F::Load(node.box[1][row]) * after;
   });

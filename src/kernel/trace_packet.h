@@ -95,8 +95,9 @@ class PacketSearch {
       t_min_[i] = space.slabs.t_min;
       limit_[i] = active_ >> i & 1 ? search_[i].nearest.t : -1;
     }
-    slabs_ = &search_[first].space.slabs;
-    sheared_ = &search_[first].space.sheared;
+    const SpaceRay& space = search_[first].space;
+    std::copy_n(space.slabs.near_row, 3, near_row_);
+    kx_ = space.sheared.kx, ky_ = space.sheared.ky, kz_ = space.sheared.kz;
     UpdateFarthest();
 
     // Bounds on origins and reciprocals, wider than the slack of any ray.
@@ -133,7 +134,7 @@ class PacketSearch {
     for (int axis = 0; axis < 3; ++axis) {
       const F low = F::Broadcast(frustum_.low_slope[axis]);
       const F high = F::Broadcast(frustum_.high_slope[axis]);
-      const uint32_t row = slabs_->near_row[axis];
+      const uint32_t row = near_row_[axis];
       const F to_near = F::Load(node.box[row]) - F::Broadcast(frustum_.near_origin[axis]);
       const F to_far = F::Load(node.box[row ^ 1]) - F::Broadcast(frustum_.far_origin[axis]);
       enter[axis] = Min(to_near * low, to_near * high);
@@ -148,7 +149,7 @@ class PacketSearch {
   [[gnu::always_inline]] uint32_t TestChild(const WideNode<kWidth>& node, uint32_t lane) {
     P enter[3], leave[3];
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t row = slabs_->near_row[axis];
+      const uint32_t row = near_row_[axis];
       enter[axis] = FusedSubtract(P::Broadcast(node.box[row][lane]), P::Load(near_scale_[axis]),
                                   P::Load(near_offset_[axis]));
       leave[axis] = FusedSubtract(P::Broadcast(node.box[row ^ 1][lane]),
@@ -218,7 +219,7 @@ class PacketSearch {
   /// operations that a single ray has.
   void TestLeaf(const TriangleLeaf& leaf, uint32_t rays) {
     alignas(64) float x[8][kRays], y[8][kRays];
-    const int kx = sheared_->kx, ky = sheared_->ky, kz = sheared_->kz;
+    const int kx = kx_, ky = ky_, kz = kz_;
     const P origin_x = P::Load(origin_[kx]), origin_y = P::Load(origin_[ky]);
     const P origin_z = P::Load(origin_[kz]);
     const P shear_x = P::Load(shear_[0]), shear_y = P::Load(shear_[1]);
@@ -262,8 +263,9 @@ class PacketSearch {
 
   uint32_t active_ = 0;  ///< Bit i: ray i still looks for hits.
   const Record* records_ = nullptr;
-  const Slabs* slabs_ = nullptr;         ///< For the rows, which are the same for all rays.
-  const ShearedRay* sheared_ = nullptr;  ///< For the axes.
+  /// The same for all rays. Copies: a ray whose search has ended may be in the space of an instance.
+  uint32_t near_row_[3];
+  int kx_ = 0, ky_ = 1, kz_ = 2;
   float farthest_ = 0, nearest_t_min_ = 0;
   struct {
     float near_origin[3], far_origin[3], low_slope[3], high_slope[3];

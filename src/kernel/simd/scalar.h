@@ -102,7 +102,7 @@ inline Index8 OrderFarToNear(Float8 distance, Float8::Mask mask) {
   int64_t key[8];
   for (uint32_t i = 0; i < 8; ++i) {
     const uint32_t distance_bits = std::bit_cast<uint32_t>(distance.lane[i]);
-    key[i] = mask.bits >> i & 1 ? int64_t{distance_bits & ~7u | i} : -1 - int64_t{i};
+    key[i] = mask.bits >> i & 1 ? int64_t{(distance_bits & ~7u) | i} : -1 - int64_t{i};
   }
   std::sort(key, key + 8, std::greater<>());
   Index8 index;

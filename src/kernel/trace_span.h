@@ -15,7 +15,7 @@ namespace candela::kernel {
 template <class L, bool kAny>
 class SpanSearch {
  public:
-  static constexpr uint32_t kInFlight = 32;
+  static constexpr uint32_t kInFlight = 20;
 
   SpanSearch(const GroupData& group, const Ray* rays, size_t count)
       : group_(group), rays_(rays), count_(count) {}
@@ -26,10 +26,17 @@ class SpanSearch {
   void Run(Limit limit, Report report) {
     for (uint32_t i = 0; i < kInFlight; ++i) TakeNext(i, limit, report);
     while (waiting_[kNodes].size + waiting_[kTriangles].size + waiting_[kOthers].size > 0) {
-      ForAllOf(kNodes, [&](uint32_t i) {
-        StepIntoNode(&slots_[i].search);
-        Advance(i, limit, report);
-      });
+      const List nodes = TakeList(kNodes);
+      uint32_t n = 0;
+      for (; n + 2 <= nodes.size; n += 2) {
+        StepIntoNodes<2>(nodes.slot + n);
+        Advance(nodes.slot[n], limit, report);
+        Advance(nodes.slot[n + 1], limit, report);
+      }
+      if (n < nodes.size) {
+        StepIntoNodes<1>(nodes.slot + n);
+        Advance(nodes.slot[n], limit, report);
+      }
       ForAllOf(kTriangles, [&](uint32_t i) {
         Search<L>* search = &slots_[i].search;
         const auto& leaf = *reinterpret_cast<const TriangleLeaf*>(
@@ -62,11 +69,16 @@ class SpanSearch {
     uint8_t slot[kInFlight];
   };
 
-  /// Calls `step` for each slot on a list, which begins a new list.
-  template <class Step>
-  void ForAllOf(Kind kind, Step step) {
+  /// The slots of a kind, for which a new list begins.
+  List TakeList(Kind kind) {
     const List list = waiting_[kind];
     waiting_[kind].size = 0;
+    return list;
+  }
+
+  template <class Step>
+  void ForAllOf(Kind kind, Step step) {
+    const List list = TakeList(kind);
     for (uint32_t i = 0; i < list.size; ++i) step(list.slot[i]);
   }
 
@@ -118,34 +130,55 @@ class SpanSearch {
     return false;
   }
 
-  /// Puts the children that are met on the stack, from far to near.
-  [[gnu::always_inline]] static void StepIntoNode(Search<L>* search) {
+  /// Puts the children that are met on the stacks of so many rays, from far to near. Two at once
+  /// have no part that waits for the other's.
+  template <uint32_t kCount>
+  [[gnu::always_inline]] void StepIntoNodes(const uint8_t* slots) {
     using F = typename L::Node;
-    const auto& node = *reinterpret_cast<const WideNode<L::kWidth>*>(search->records +
-                                                                     search->current.reference);
-    const Slabs& slabs = search->space.slabs;
-    const auto hits =
-        TestBoxes(WideSlabs<F>(slabs), slabs, node, F::Broadcast(search->nearest.t));
-    NodeStack& stack = search->stack;
-    const F child = F::Load(reinterpret_cast<const float*>(node.child));
-    const uint32_t bits = hits.mask.Bits();
-    const auto count = static_cast<uint32_t>(std::popcount(bits));
-    StackEntry* const top = stack.entry + stack.size;
-    if constexpr (L::kWidth == 8) {
-      const auto order = OrderFarToNear(hits.entry, hits.mask);
-      StorePairs(Permute(child, order), Permute(hits.entry, order), top);
-    } else {
-      if (count > 8) [[unlikely]] {
-        const NextChild next = OrderChildren<L::kWidth, false>(bits, hits.entry, node.child,
-                                                               search->records, &stack);
-        stack.entry[stack.size++] = MakeEntry(next.entry, next.reference);
-        return;
-      }
-      const auto entry = Compact(hits.entry, hits.mask);
-      const auto order = OrderFarToNear(entry, L::Leaf::Mask::FromBits((1u << count) - 1));
-      StorePairs(Permute(Compact(child, hits.mask), order), Permute(entry, order), top);
+    Search<L>* search[kCount];
+    const WideNode<L::kWidth>* node[kCount];
+    F entry[kCount];
+    typename F::Mask mask[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      search[k] = &slots_[slots[k]].search;
+      node[k] = reinterpret_cast<const WideNode<L::kWidth>*>(search[k]->records +
+                                                             search[k]->current.reference);
+      const Slabs& slabs = search[k]->space.slabs;
+      const auto hits =
+          TestBoxes(WideSlabs<F>(slabs), slabs, *node[k], F::Broadcast(search[k]->nearest.t));
+      entry[k] = hits.entry;
+      mask[k] = hits.mask;
     }
-    stack.size += count;
+    uint32_t count[kCount];
+    typename L::Leaf near[kCount], child[kCount];
+    typename L::Index order[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      const uint32_t bits = mask[k].Bits();
+      count[k] = static_cast<uint32_t>(std::popcount(bits));
+      const F children = F::Load(reinterpret_cast<const float*>(node[k]->child));
+      if constexpr (L::kWidth == 8) {
+        near[k] = entry[k];
+        child[k] = children;
+        order[k] = OrderFarToNear(near[k], mask[k]);
+      } else {
+        if (count[k] > 8) [[unlikely]] {
+          NodeStack* stack = &search[k]->stack;
+          const NextChild next = OrderChildren<L::kWidth, false>(
+              bits, entry[k], node[k]->child, search[k]->records, stack);
+          stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
+          count[k] = 0;
+        }
+        near[k] = Compact(entry[k], mask[k]);
+        child[k] = Compact(children, mask[k]);
+        order[k] = OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
+      }
+    }
+    for (uint32_t k = 0; k < kCount; ++k) {
+      NodeStack& stack = search[k]->stack;
+      StorePairs(Permute(child[k], order[k]), Permute(near[k], order[k]),
+                 stack.entry + stack.size);
+      stack.size += count[k];
+    }
   }
 
   const GroupData& group_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/trace_one.h"
@@ -16,6 +17,8 @@ template <class L, bool kAny>
 class SpanSearch {
  public:
   static constexpr uint32_t kInFlight = 20;
+  /// Rays that take a step together: their instructions do not wait for each other's.
+  static constexpr uint32_t kTogether = 4;
 
   SpanSearch(const GroupData& group, const Ray* rays, size_t count)
       : group_(group), rays_(rays), count_(count) {}
@@ -26,32 +29,22 @@ class SpanSearch {
   void Run(Limit limit, Report report) {
     for (uint32_t i = 0; i < kInFlight; ++i) TakeNext(i, limit, report);
     while (waiting_[kNodes].size + waiting_[kTriangles].size + waiting_[kOthers].size > 0) {
-      const List nodes = TakeList(kNodes);
-      uint32_t n = 0;
-      for (; n + 2 <= nodes.size; n += 2) {
-        StepIntoNodes<2>(nodes.slot + n);
-        Advance(nodes.slot[n], limit, report);
-        Advance(nodes.slot[n + 1], limit, report);
-      }
-      if (n < nodes.size) {
-        StepIntoNodes<1>(nodes.slot + n);
-        Advance(nodes.slot[n], limit, report);
-      }
-      ForAllOf(kTriangles, [&](uint32_t i) {
-        Search<L>* search = &slots_[i].search;
-        const auto& leaf = *reinterpret_cast<const TriangleLeaf*>(
-            search->records + RecordOf(search->current.reference));
-        const bool is_over =
-            TestTriangles<L, kAny, false>(leaf, leaf.vertex, search->current.entry, search);
-        if (kAny && is_over) search->stack.size = 0;
-        Advance(i, limit, report);
+      ForAllOf(kNodes, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        StepIntoNodes<kCount>(slots);
+        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
       });
-      ForAllOf(kOthers, [&](uint32_t i) {
-        Search<L>* search = &slots_[i].search;
-        const bool is_over = VisitOther<L, kAny>(search->current.reference,
-                                                 search->current.entry, search);
-        if (kAny && is_over) search->stack.size = 0;
-        Advance(i, limit, report);
+      ForAllOf(kTriangles, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        TestLeaves<kCount>(slots);
+        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
+      });
+      ForAllOf(kOthers, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        for (uint32_t k = 0; k < kCount; ++k) {
+          Search<L>* search = &slots_[slots[k]].search;
+          const bool is_over = VisitOther<L, kAny>(search->current.reference,
+                                                   search->current.entry, search);
+          if (kAny && is_over) search->stack.size = 0;
+          Advance(slots[k], limit, report);
+        }
       });
     }
   }
@@ -69,17 +62,18 @@ class SpanSearch {
     uint8_t slot[kInFlight];
   };
 
-  /// The slots of a kind, for which a new list begins.
-  List TakeList(Kind kind) {
+  /// A number that the compiler knows.
+  template <uint32_t kCount>
+  using Times = std::integral_constant<uint32_t, kCount>;
+
+  /// Calls `step` for the slots on a list, several at a time, while a new list begins.
+  template <class Step>
+  [[gnu::always_inline]] void ForAllOf(Kind kind, Step step) {
     const List list = waiting_[kind];
     waiting_[kind].size = 0;
-    return list;
-  }
-
-  template <class Step>
-  void ForAllOf(Kind kind, Step step) {
-    const List list = TakeList(kind);
-    for (uint32_t i = 0; i < list.size; ++i) step(list.slot[i]);
+    uint32_t i = 0;
+    for (; i + kTogether <= list.size; i += kTogether) step(list.slot + i, Times<kTogether>());
+    for (; i < list.size; ++i) step(list.slot + i, Times<1>());
   }
 
   /// Starts the next ray that can hit anything, if one is left.
@@ -179,6 +173,30 @@ class SpanSearch {
                  stack.entry + stack.size);
       stack.size += count[k];
     }
+  }
+
+  /// Tests the leaves of so many rays.
+  template <uint32_t kCount>
+  [[gnu::always_inline]] void TestLeaves(const uint8_t* slots) {
+    alignas(64) float areas[kCount][3][8];
+    uint32_t candidates[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      const Search<L>& search = slots_[slots[k]].search;
+      const TriangleLeaf& leaf = CurrentLeaf(search);
+      candidates[k] = TestEdges<L>(search.space.sheared, leaf, leaf.vertex, areas[k]);
+    }
+    for (uint32_t k = 0; k < kCount; ++k) {
+      Search<L>* search = &slots_[slots[k]].search;
+      const TriangleLeaf& leaf = CurrentLeaf(*search);
+      const bool is_over = FinishTriangles<L, kAny, false>(
+          candidates[k], areas[k], leaf, leaf.vertex, search->current.entry, search);
+      if (kAny && is_over) search->stack.size = 0;
+    }
+  }
+
+  static const TriangleLeaf& CurrentLeaf(const Search<L>& search) {
+    return *reinterpret_cast<const TriangleLeaf*>(search.records +
+                                                  RecordOf(search.current.reference));
   }
 
   const GroupData& group_;

@@ -25,7 +25,7 @@ struct WideSlabs {
 /// them.
 template <class F>
 struct BoxHits {
-  uint32_t bits;
+  typename F::Mask mask;
   F entry;
 };
 
@@ -44,7 +44,7 @@ template <class F, class Plane>
   }
   const F entry = Max(Max(enter[0], enter[1]), Max(enter[2], wide.t_min));
   const F exit = Min(Min(leave[0], leave[1]), Min(leave[2], limit));
-  return {BitsLessEqual(entry, exit), entry};
+  return {entry <= exit, entry};
 }
 
 template <class F, int W>

@@ -142,7 +142,7 @@ class PacketSearch {
     }
     const F entry = Max(Max(enter[0], enter[1]), Max(enter[2], F::Broadcast(nearest_t_min_)));
     const F exit = Min(Min(leave[0], leave[1]), Min(leave[2], F::Broadcast(farthest_)));
-    return {BitsLessEqual(entry, exit), entry};
+    return {entry <= exit, entry};
   }
 
   /// The rays that meet the box of a child, with the very numbers that each would find alone.
@@ -158,7 +158,7 @@ class PacketSearch {
     const P entry = Max(Max(enter[0], enter[1]), Max(enter[2], P::Load(t_min_)));
     const P exit = Min(Min(leave[0], leave[1]), Min(leave[2], P::Load(limit_)));
     entry.Store(entry_);
-    return BitsLessEqual(entry, exit);
+    return (entry <= exit).Bits();
   }
 
   void Descend(Reference root) {
@@ -204,7 +204,7 @@ class PacketSearch {
     hits.entry.Store(entry);
     Entry* const base = stack_ + size_;
     uint32_t count = 0;
-    ForEach(hits.bits, [&](int lane) {
+    ForEach(hits.mask.Bits(), [&](int lane) {
       uint32_t place = count++;
       for (; place > 0 && base[place - 1].entry < entry[lane]; --place) {
         base[place] = base[place - 1];
@@ -237,9 +237,9 @@ class PacketSearch {
       const P area_b = ax * cy - ay * cx;
       const P area_c = bx * ay - by * ax;
       const P zero = P::Broadcast(0);
-      const uint32_t is_mixed = BitsLess(Min(Min(area_a, area_b), area_c), zero) &
-                                BitsLess(zero, Max(Max(area_a, area_b), area_c));
-      const uint32_t candidates = rays & ~is_mixed;
+      const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
+                            (zero < Max(Max(area_a, area_b), area_c));
+      const uint32_t candidates = rays & ~is_mixed.Bits();
       if (candidates == 0) return;
       alignas(64) float areas[3][kRays];
       area_a.Store(areas[0]);

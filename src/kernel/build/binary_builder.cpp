@@ -98,11 +98,10 @@ class Builder {
     const uint32_t number = fragments_[range.begin].Item();
     const BuildItem& item = items_[number];
     if (!item.triangles) return false;
-    TrianglePacker packer(item);
-    for (uint32_t i = range.begin; i < range.end; ++i) {
-      if (fragments_[i].Item() != number || !packer.Add(fragments_[i].Primitive())) return false;
+    for (uint32_t i = range.begin + 1; i < range.end; ++i) {
+      if (fragments_[i].Item() != number) return false;
     }
-    return true;
+    return TrianglePacker(item).Pack({fragments_ + range.begin, range.Count()});
   }
 
   void MakeLeaf(const Range& range) {

@@ -158,12 +158,10 @@ double Collapse::CostOfJoining(uint32_t node) const {
     return Area(inner) * kPrimitiveCost * entries.count;
   }
   if (kind == RecordKind::kInstance) return kImpossible;
-  TrianglePacker packer(items_[number]);
   for (uint32_t i = 0; i < entries.count; ++i) {
-    if (entries.entry[i].Item() != number || !packer.Add(entries.entry[i].Primitive())) {
-      return kImpossible;
-    }
+    if (entries.entry[i].Item() != number) return kImpossible;
   }
+  if (!TrianglePacker(items_[number]).Pack({entries.entry, entries.count})) return kImpossible;
   return Area(inner) * kTriangleLeafCost;
 }
 

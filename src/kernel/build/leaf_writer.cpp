@@ -18,9 +18,9 @@ void WriteLeaf(const BuildItem& item, std::span<const Fragment> fragments, uint3
     }
   } else {
     TrianglePacker packer(item);
-    for (const Fragment& fragment : fragments) {
-      CHECK(packer.Add(fragment.Primitive()));
-      triangle_ids[first_id + (&fragment - fragments.data())] = fragment.Primitive();
+    CHECK(packer.Pack(fragments));
+    for (size_t i = 0; i < fragments.size(); ++i) {
+      triangle_ids[first_id + i] = fragments[i].Primitive();
     }
     auto& leaf = *reinterpret_cast<TriangleLeaf*>(record);
     leaf.first = first_id;

@@ -90,7 +90,11 @@ class GroupBuilder {
       options.cancel = cancel_;
       nodes[i].tree = BuildBinaryTree(items_, &lists[i], options);
       Collapse& collapse = nodes[i].collapse.emplace(items_, &nodes[i].tree, cancel_);
-      collapse.ChooseNodes(group_.width);
+      if (halving_depth > 0) {
+        collapse.ChooseNodes(group_.width);
+      } else {
+        collapse.ChooseEvenly();
+      }
       trees[i] = {&nodes[i].tree, &collapse};
       present[i] = &trees[i];
     }

@@ -133,10 +133,20 @@ void Collapse::ChooseNodes(int width) {
   width == 8 ? ChooseAll<8>() : ChooseAll<16>();
 }
 
+void Collapse::ChooseEvenly() {
+  is_even_ = true;
+}
+
+uint64_t Collapse::ChoiceOf(const BinaryNode& inner) const {
+  // 1 of 2 and 3 slots to the left, 2 of 4 and 5, and so on.
+  constexpr uint64_t kHalves = 0x8776655443322110;
+  return is_even_ ? kHalves : choice_[inner.Pair()];
+}
+
 int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
   const BinaryNode& binary = tree_.nodes[node];
   if (!binary.IsLeaf()) {
-    const uint64_t choice = choice_[binary.Pair()];
+    const uint64_t choice = ChoiceOf(binary);
     while (slots > 1 && SlotsOfLeft(choice, slots) == 0) --slots;
     if (slots > 1) {
       const int slots_of_left = SlotsOfLeft(choice, slots);
@@ -150,7 +160,7 @@ int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
 
 int Collapse::ChildrenOf(uint32_t node, int width, uint32_t* to) const {
   const BinaryNode& inner = tree_.nodes[node];
-  const int slots_of_left = SlotsOfLeft(choice_[inner.Pair()], width);
+  const int slots_of_left = SlotsOfLeft(ChoiceOf(inner), width);
   const int count = NodesInSlots(inner.Left(), slots_of_left, to);
   return count + NodesInSlots(inner.Right(), width - slots_of_left, to + count);
 }

@@ -22,6 +22,10 @@ class Collapse {
   /// Chooses for nodes of `width` children.
   void ChooseNodes(int width);
 
+  /// Takes the same number of levels of the binary tree into each node, whatever it costs. From a
+  /// tree that was halved again and again, this makes a flat one.
+  void ChooseEvenly();
+
   /// The nodes that stand for `node` among the children of a wide node where there are `slots` for
   /// it. Returns how many were written to `to`.
   int NodesInSlots(uint32_t node, int slots, uint32_t* to) const;
@@ -43,6 +47,7 @@ class Collapse {
   void FindTasks(uint32_t node, std::vector<uint32_t>* tasks) const;
 
   double LeafCost(uint32_t node) const;
+  uint64_t ChoiceOf(const BinaryNode& inner) const;
 
   const std::vector<BuildItem>& items_;
   const BinaryTree& tree_;
@@ -51,6 +56,7 @@ class Collapse {
   /// slots that the left child gets; 0 where one slot less is as good. For one slot: 0 a leaf, 1 a
   /// node.
   PageArray<uint64_t> choice_;
+  bool is_even_ = false;
 };
 
 }  // namespace candela::kernel

@@ -165,7 +165,8 @@ std::string Tables(const BenchResult& result) {
       "Builds and memory:\n\n{}\n"
       "{}"
       "Answers that differ from Embree's robust ones, in whether there is a hit and in t by more "
-      "than 1e-4 of it; and answers of our lists that are not the same bits as those of our single "
+      "than 1e-4 of it (in instances, beyond rounding); and answers of our lists that are not the "
+      "same bits as those of our single "
       "rays:\n\n{}",
       result.isa,
       result.embree_isa.empty() ? "the best of Embree's" : "Embree's " + result.embree_isa,

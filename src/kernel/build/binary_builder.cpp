@@ -123,6 +123,7 @@ class Builder {
       if (fragment.Item() != number) return false;
     }
     // A leaf takes the same time for any number of triangles, so the more the better.
+    if (fragments.size() <= 2) return true;  // At most 6 vertices.
     return TrianglePacker(item).Pack(fragments);
   }
 
@@ -134,14 +135,14 @@ class Builder {
     end = std::unique(begin, end, [](const Fragment& a, const Fragment& b) {
       return a.Item() == b.Item() && a.Primitive() == b.Primitive();
     });
-    tree_.nodes[range.node] = BinaryNode(
-        range.box, range.begin, static_cast<uint32_t>(end - begin) | BinaryNode::kLeafMark);
+    tree_.nodes[range.node] = BinaryNode::Leaf(
+        range.box, range.begin, static_cast<uint32_t>(end - begin), items_[begin->Item()].leaf);
   }
 
   /// Divides a range in two and makes its node. With more than a task all threads work on it.
   void Divide(const Range& range, int worker, Range* left, Range* right) {
     const uint32_t pair = pairs_.Take(std::max(worker, 0));
-    tree_.nodes[range.node] = BinaryNode(range.box, pair, range.Count());
+    tree_.nodes[range.node] = BinaryNode::Inner(range.box, pair, range.Count());
     left->node = 2 * pair;
     right->node = 2 * pair + 1;
     left->depth = right->depth = range.depth + 1;
@@ -238,7 +239,8 @@ class Builder {
       Pieces pieces(items_, mapping);
       for (uint32_t i = range.begin + from; i < range.begin + to; ++i) {
         Fragment& fragment = fragments_[i];
-        pieces.Cut(fragment, split.axis);
+        pieces.Take(fragment);
+        pieces.Cut(split.axis);
         if (pieces.last() < split.slab) continue;
         const uint32_t marked = fragment.Item() | kRightMark;
         if (pieces.first() >= split.slab) {

@@ -89,7 +89,7 @@ class GroupBuilder {
       options.split_triangles = SplitsTriangles(i);
       options.cancel = cancel_;
       nodes[i].tree = BuildBinaryTree(items_, &lists[i], options);
-      Collapse& collapse = nodes[i].collapse.emplace(items_, &nodes[i].tree, cancel_);
+      Collapse& collapse = nodes[i].collapse.emplace(&nodes[i].tree, cancel_);
       if (halving_depth > 0) {
         collapse.ChooseNodes(group_.width);
       } else {

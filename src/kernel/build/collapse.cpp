@@ -35,13 +35,12 @@ struct Collapse::Costs {
   double in[kWidth + 1];
 };
 
-Collapse::Collapse(const std::vector<BuildItem>& items, const BinaryTree* tree,
-                   const CancelToken* cancel)
-    : items_(items), tree_(*tree), cancel_(cancel), choice_(tree->most_pairs) {}
+Collapse::Collapse(const BinaryTree* tree, const CancelToken* cancel)
+    : tree_(*tree), cancel_(cancel), choice_(tree->most_pairs) {}
 
 double Collapse::LeafCost(uint32_t node) const {
   const BinaryNode& leaf = tree_.nodes[node];
-  switch (items_[tree_.fragments[leaf.First()].Item()].leaf) {
+  switch (leaf.Kind()) {
     case RecordKind::kPrimitives:
       return Area(leaf) * kPrimitiveCost * leaf.Count();
     case RecordKind::kInstance:

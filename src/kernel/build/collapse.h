@@ -1,12 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/cancel_token.h"
 #include "kernel/build/binary_tree.h"
-#include "kernel/build/build_items.h"
 
 namespace candela::kernel {
 
@@ -17,7 +15,7 @@ class Collapse {
  public:
   static constexpr int kMostChildren = 16;
 
-  Collapse(const std::vector<BuildItem>& items, const BinaryTree* tree, const CancelToken* cancel);
+  Collapse(const BinaryTree* tree, const CancelToken* cancel);
 
   /// Chooses for nodes of `width` children.
   void ChooseNodes(int width);
@@ -49,7 +47,6 @@ class Collapse {
   double LeafCost(uint32_t node) const;
   uint64_t ChoiceOf(const BinaryNode& inner) const;
 
-  const std::vector<BuildItem>& items_;
   const BinaryTree& tree_;
   const CancelToken* cancel_;
   /// By the pair of the node's children, 4 bits for each number of slots, from 1 on. The number of

@@ -17,59 +17,74 @@ SlabMapping::SlabMapping(const Box4& box)
   }
 }
 
-void Pieces::Cut(const Fragment& fragment, int axis) {
-  first_ = std::clamp(mapping_.SlabOf(axis, fragment.low[axis]), 0, kSpatialBins - 1);
-  last_ = std::clamp(mapping_.SlabOf(axis, fragment.high[axis]), 0, kSpatialBins - 1);
-  if (first_ != last_ && items_[fragment.Item()].triangles) {
-    CutTriangle(fragment, axis);
-  } else {
-    first_ = last_ = (first_ + last_) / 2;
+void Pieces::Cut(int axis) {
+  first_ = first_slab_[axis];
+  last_ = last_slab_[axis];
+  if (first_ != last_) {
+    if (LoadTriangle()) {
+      CutTriangle(axis);
+    } else {
+      first_ = last_ = (first_ + last_) / 2;
+    }
   }
-  if (first_ == last_) piece_[first_] = fragment.Box();
+  if (first_ == last_) piece_[first_] = box_;
 }
 
-void Pieces::CutTriangle(const Fragment& fragment, int axis) {
-  const BuildItem& item = items_[fragment.Item()];
-  const auto& vertices = item.triangles->triangles[fragment.Primitive()];
-  const Float4 corner[3] = {Load(item.Position(0, vertices[0])),
-                            Load(item.Position(0, vertices[1])),
-                            Load(item.Position(0, vertices[2]))};
-  std::fill(piece_ + first_, piece_ + last_ + 1, Box4{});
-  // A corner belongs to the piece in its slab; where an edge crosses a border, the point belongs to
-  // the pieces on both sides.
-  for (int i = 0; i < 3; ++i) {
-    Float4 a = corner[i], b = corner[(i + 1) % 3];
-    int slab_a = mapping_.SlabOf(axis, a[axis]), slab_b = mapping_.SlabOf(axis, b[axis]);
-    if (slab_a >= first_ && slab_a <= last_) piece_[slab_a].Extend(a);
-    if (slab_a > slab_b) {
-      std::swap(a, b);
-      std::swap(slab_a, slab_b);
-    }
-    for (int slab = std::max(slab_a + 1, first_); slab <= std::min(slab_b, last_ + 1); ++slab) {
-      const float border = mapping_.Border(axis, slab);
-      const float t = std::clamp((border - a[axis]) / (b[axis] - a[axis]), 0.0f, 1.0f);
-      const Float4 point = a + (b - a) * Splat(t);
-      if (slab > first_) piece_[slab - 1].Extend(point);
-      if (slab <= last_) piece_[slab].Extend(point);
-    }
+/// False when there is no triangle, or it is too large to calculate with.
+bool Pieces::LoadTriangle() {
+  if (is_loaded_) return std::isfinite(padding_);
+  is_loaded_ = true;
+  padding_ = Bounds3::kInfinity;
+  const BuildItem& item = items_[FourthBits(box_.low)];
+  if (!item.triangles) return false;
+  const auto& vertices = item.triangles->triangles[FourthBits(box_.high)];
+  for (size_t i = 0; i < 3; ++i) {
+    corner_[i] = Load(item.Position(0, vertices[i]));
+    corner_slab_[i] = mapping_.SlabsOf(corner_[i], -1, kSpatialBins);
   }
-  // As the whole triangle is padded, and for the rounding of the points.
-  const Float4 low = Min(Min(corner[0], corner[1]), corner[2]);
-  const Float4 high = Max(Max(corner[0], corner[1]), corner[2]);
-  const float padding = (kTrianglePadding + 4e-7f) * LargestOf3(high - low);
+  // As the whole triangle is padded, and for the rounding of the points on edges.
+  const Float4 low = Min(Min(corner_[0], corner_[1]), corner_[2]);
+  const Float4 high = Max(Max(corner_[0], corner_[1]), corner_[2]);
+  padding_ = (kTrianglePadding + 4e-7f) * LargestOf3(high - low);
+  return std::isfinite(padding_);
+}
+
+/// The box of the points where edges cross the lower border of a slab; empty when none does.
+/// Without branches, which would depend on how each triangle happens to lie.
+Box4 Pieces::Crossing(int axis, int slab) const {
+  const float border = mapping_.Border(axis, slab);
+  Box4 box;
+  for (int i = 0; i < 3; ++i) {
+    const int j = i == 2 ? 0 : i + 1;
+    const bool crosses = (corner_slab_[i][axis] < slab) != (corner_slab_[j][axis] < slab);
+    const float start = corner_[i][axis];
+    const float part = (border - start) / (corner_[j][axis] - start);
+    const Float4 t = Min(Max(Splat(part), Splat(0)), Splat(1));
+    box.ExtendIf(crosses, corner_[i] + (corner_[j] - corner_[i]) * t);
+  }
+  return box;
+}
+
+void Pieces::CutTriangle(int axis) {
   int first = last_ + 1, last = first_ - 1;
+  Box4 below = Crossing(axis, first_);
   for (int slab = first_; slab <= last_; ++slab) {
-    if (piece_[slab].IsEmpty()) continue;
-    const Box4 padded = Padded(piece_[slab], padding);
-    piece_[slab] = {Max(padded.low, fragment.low), Min(padded.high, fragment.high)};
-    if (piece_[slab].IsEmpty()) {
-      piece_[slab] = Box4{};
-      continue;
-    }
+    // The corners in the slab, and what the edges have on both of its borders.
+    const Box4 above = Crossing(axis, slab + 1);
+    Box4 piece = below;
+    piece.Extend(above);
+    for (int i = 0; i < 3; ++i) piece.ExtendIf(corner_slab_[i][axis] == slab, corner_[i]);
+    below = above;
+    piece_[slab] = Box4{};
+    if (piece.IsEmpty()) continue;
+    // A fragment may be smaller than its triangle.
+    piece = Padded(piece, padding_);
+    piece = {Max(piece.low, box_.low), Min(piece.high, box_.high)};
+    if (piece.IsEmpty()) continue;
+    piece_[slab] = piece;
     first = std::min(first, slab);
     last = slab;
   }
-  // A fragment may be smaller than its triangle, and between two of its slabs be outside of it.
   if (first > last) first = last = first_;
   first_ = first;
   last_ = last;
@@ -79,9 +94,16 @@ void SpatialBins::Add(const Fragment* begin, const Fragment* end, const SlabMapp
                       const std::vector<BuildItem>& items) {
   Pieces pieces(items, mapping);
   for (const Fragment* fragment = begin; fragment != end; ++fragment) {
+    pieces.Take(*fragment);
     for (int axis = 0; axis < 3; ++axis) {
-      if (!mapping.IsUseful(axis)) continue;
-      pieces.Cut(*fragment, axis);
+      if (pieces.IsInOneSlab(axis)) {
+        const int slab = pieces.FirstSlab(axis);
+        ++begin_[axis][slab];
+        ++end_[axis][slab];
+        box_[axis][slab].Extend(fragment->Box());
+        continue;
+      }
+      pieces.Cut(axis);
       ++begin_[axis][pieces.first()];
       ++end_[axis][pieces.last()];
       for (int slab = pieces.first(); slab <= pieces.last(); ++slab) {

@@ -16,11 +16,12 @@ constexpr int kSpatialBins = 16;
 struct SlabMapping {
   explicit SlabMapping(const Box4& box);
 
-  bool IsUseful(int axis) const { return slabs_per_unit[axis] > 0; }
-  /// The slab of a coordinate; -1 below the first one.
-  int SlabOf(int axis, float x) const {
-    const float slab = (x - origin[axis]) * slabs_per_unit[axis];
-    return slab < 0 ? -1 : slab < kSpatialBins ? static_cast<int>(slab) : kSpatialBins;
+  /// The slabs of a point, on all axes, moved into a range: for a point of the box the slabs that
+  /// there are, for any other one with -1 below them and kSpatialBins above.
+  Int4 SlabsOf(Float4 point, int lowest, int highest) const {
+    const Float4 slabs = (Xyz(point) - origin) * slabs_per_unit + Splat(1);
+    const auto least = static_cast<float>(lowest + 1), most = static_cast<float>(highest + 1);
+    return __builtin_convertvector(Min(Max(slabs, Splat(least)), Splat(most)), Int4) - 1;
   }
   /// The border between a slab and the one before it.
   float Border(int axis, int slab) const {
@@ -30,24 +31,42 @@ struct SlabMapping {
   Float4 origin, slabs_per_unit, width;
 };
 
-/// The parts of a fragment in each slab of an axis.
+/// Cuts a fragment along the slabs of an axis.
 class Pieces {
  public:
   Pieces(const std::vector<BuildItem>& items, const SlabMapping& mapping)
       : items_(items), mapping_(mapping) {}
 
-  /// Has to be called first. Only triangles are cut; anything else is in the slab of its centre.
-  void Cut(const Fragment& fragment, int axis);
+  /// Has to be called first: the fragment to cut.
+  void Take(const Fragment& fragment) {
+    box_ = fragment.Box();
+    first_slab_ = mapping_.SlabsOf(box_.low, 0, kSpatialBins - 1);
+    last_slab_ = mapping_.SlabsOf(box_.high, 0, kSpatialBins - 1);
+    is_loaded_ = false;
+  }
+  /// Then there is nothing to cut.
+  bool IsInOneSlab(int axis) const { return first_slab_[axis] == last_slab_[axis]; }
+  int FirstSlab(int axis) const { return first_slab_[axis]; }
+  /// Finds its parts. Only triangles are cut; anything else is in the slab of its middle.
+  void Cut(int axis);
 
   int first() const { return first_; }  ///< The first and the last slab with a part in it.
   int last() const { return last_; }
   const Box4& operator[](int slab) const { return piece_[slab]; }
 
  private:
-  void CutTriangle(const Fragment& fragment, int axis);
+  void CutTriangle(int axis);
+  Box4 Crossing(int axis, int slab) const;
+  bool LoadTriangle();
 
   const std::vector<BuildItem>& items_;
   const SlabMapping& mapping_;
+  Box4 box_;  ///< Of the fragment, with the item and the primitive.
+  Int4 first_slab_, last_slab_;
+  bool is_loaded_ = false;
+  Float4 corner_[3];
+  Int4 corner_slab_[3];
+  float padding_ = 0;
   int first_ = 0, last_ = 0;
   Box4 piece_[kSpatialBins];
 };

@@ -51,7 +51,8 @@ std::string ArgParser::UsageLine() const {
   const size_t indent = usage.size() + 1;
   std::string rest;
   for (const PositionalEntry& positional : positionals_) {
-    rest += " " + positional.value.label + (positional.repeats ? "..." : "");
+    const std::string words = positional.value.label + (positional.repeats ? "..." : "");
+    rest += positional.is_optional ? " [" + words + "]" : " " + words;
   }
   for (const OptionEntry& option : options_) {
     if (option.traits.required) rest += " " + LabelOf(option);

@@ -163,7 +163,8 @@ class ArgParser::Reader {
       }
     }
     for (const PositionalEntry& positional : parser_.positionals_) {
-      if (!positional.given) return UsageError(positional.value.label + " is missing");
+      if (!positional.given && !positional.is_optional)
+        return UsageError(positional.value.label + " is missing");
     }
     return {};
   }
@@ -208,6 +209,11 @@ void ArgParser::Positional(ArgValue value, std::string help) {
 void ArgParser::PositionalList(ArgValue value, std::string help) {
   Positional(std::move(value), std::move(help));
   positionals_.back().repeats = true;
+}
+
+void ArgParser::OptionalList(ArgValue value, std::string help) {
+  PositionalList(std::move(value), std::move(help));
+  positionals_.back().is_optional = true;
 }
 
 void ArgParser::Example(std::string arguments, std::string help) {

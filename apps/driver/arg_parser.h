@@ -47,6 +47,8 @@ class ArgParser {
   void Positional(ArgValue value, std::string help);
   /// One or more of them; the last positional.
   void PositionalList(ArgValue value, std::string help);
+  /// Any number of them; the last positional.
+  void OptionalList(ArgValue value, std::string help);
   /// A command line for the end of the help, without the program's name.
   void Example(std::string arguments, std::string help);
 
@@ -80,6 +82,7 @@ class ArgParser {
     ArgValue value;
     std::string help;
     bool repeats = false;
+    bool is_optional = false;
     bool given = false;
   };
   struct ExampleEntry {

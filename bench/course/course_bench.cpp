@@ -18,6 +18,7 @@
 #include "driver/console.h"
 #include "driver/picture_files.h"
 #include "measured_run.h"
+#include "support/document_table.h"
 
 namespace candela {
 namespace {
@@ -31,6 +32,7 @@ struct BenchOptions {
   int side = 800;
   fs::path folder = fs::temp_directory_path() / "candela-course-bench";
   std::optional<fs::path> json;
+  bool update = false;
 };
 
 /// One row of the table: a command line, and what its runs took.
@@ -139,8 +141,13 @@ Result<void> Run(const BenchOptions& options) {
   if (error) return Error{ErrorCode::kOutput, options.folder.string() + ": " + error.message()};
   std::vector<BenchRow> rows = MakeRows(options);
   if (auto measured = MeasureAll(options, &rows); !measured) return measured;
-  if (auto printed = WriteResult(Table(rows)); !printed) return printed;
-  return options.json ? WriteOutput(*options.json, Json(options, rows)) : Result<void>();
+  const std::string table = Table(rows);
+  if (auto printed = WriteResult(table); !printed) return printed;
+  if (options.json) {
+    if (auto written = WriteOutput(*options.json, Json(options, rows)); !written) return written;
+  }
+  return options.update ? UpdateDocument("docs/performance.md", "course bench", table)
+                        : Result<void>();
 }
 
 int Main(std::span<const char* const> words) {
@@ -158,6 +165,7 @@ int Main(std::span<const char* const> words) {
                 "folder for temporary files");
   parser.Group("Results");
   parser.Option("json", {File("FILE", &options.json)}, "write every run there");
+  parser.Flag("update", &options.update, "put the table into docs/performance.md");
   if (const auto status = ReadCommandLine(parser, words)) return *status;
   const Result<void> done = Run(options);
   return done ? 0 : PrintError(kName, done.error());

@@ -1,5 +1,7 @@
 #include "geometry/triangle.h"
 
+#include <algorithm>
+
 namespace candela {
 
 bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHit* hit) {
@@ -12,6 +14,21 @@ bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHi
   const double sum = area_a + area_b + area_c;
   hit->u = static_cast<float>(area_b / sum);
   hit->v = static_cast<float>(area_c / sum);
+
+  // A point of an edge lies between its ends, one at a corner is there. The distance to the plane
+  // would be anywhere when that is seen nearly edge-on.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double nearest = kInfinity, farthest = -kInfinity;
+  const auto extend = [&](double weight, Vec3 corner) {
+    if (weight == 0) return;
+    const double t = (double{corner[ray.kz]} - ray.origin[ray.kz]) / ray.direction[ray.kz];
+    nearest = std::min(nearest, t);
+    farthest = std::max(farthest, t);
+  };
+  extend(area_a, a);
+  extend(area_b, b);
+  extend(area_c, c);
+  hit->t = std::clamp(hit->t, static_cast<float>(nearest), static_cast<float>(farthest));
   return true;
 }
 

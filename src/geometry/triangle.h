@@ -69,11 +69,12 @@ struct TriangleHit {
 };
 
 /// The weights from products in double, which are exact, and whose range is wide enough for all
-/// floats. False when the point lies outside after all, or the triangle is seen edge-on.
+/// floats. Keeps t between those of the corners that have a weight. False when the point lies
+/// outside after all, or the triangle is seen edge-on.
 bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHit* hit);
 
-/// Weights and distance for a triangle whose areas are not mixed; false when it is a miss after all.
-/// Always inlined, since it is compiled for several instruction sets.
+/// Weights and distance for a triangle whose areas are not mixed; false when it is a miss after
+/// all. Always inlined, since it is compiled for several instruction sets.
 [[gnu::always_inline]] inline bool FinishTriangle(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c,
                                                   const EdgeAreas& areas, TriangleHit* hit) {
   // The distance to the plane, in double: blending the corners' depths is wrong by the rounding of
@@ -86,8 +87,7 @@ bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHi
   const double nz = e1x * e2y - e1y * e2x;
   const double height =
       nx * (ax - ray.origin.x) + ny * (ay - ray.origin.y) + nz * (az - ray.origin.z);
-  const double approach =
-      nx * ray.direction.x + ny * ray.direction.y + nz * ray.direction.z;
+  const double approach = nx * ray.direction.x + ny * ray.direction.y + nz * ray.direction.z;
   hit->t = static_cast<float>(height / approach);
 
   const float sum = areas.a + areas.b + areas.c;

@@ -25,7 +25,7 @@ struct WideSlabs {
 /// them.
 template <class F>
 struct BoxHits {
-  uint32_t bits;
+  typename F::Mask mask;
   F entry;
 };
 
@@ -44,7 +44,7 @@ template <class F, class Plane>
   }
   const F entry = Max(Max(enter[0], enter[1]), Max(enter[2], wide.t_min));
   const F exit = Min(Min(leave[0], leave[1]), Min(leave[2], limit));
-  return {BitsLessEqual(entry, exit), entry};
+  return {entry <= exit, entry};
 }
 
 template <class F, int W>
@@ -53,12 +53,15 @@ template <class F, int W>
   return TestSlabs(wide, slabs, limit, [&](uint32_t row) { return F::Load(node.box[row]); });
 }
 
-/// The boxes of a moving node at the ray's time.
+/// The boxes of a moving node at the ray's time. The ends of the time are left out, less than the
+/// builder's padding of moving boxes: the boxes of children that are not there are infinite, and 0
+/// times infinity is not a number, which would let them pass.
 template <class F, int W>
 [[gnu::always_inline]] inline BoxHits<F> TestBoxes(const WideSlabs<F>& wide, const Slabs& slabs,
                                                    const MovingNode<W>& node, F limit,
                                                    float time) {
-  const F before = F::Broadcast(1 - time), after = F::Broadcast(time);
+  const float inner = time < 1e-30f ? 1e-30f : time < 0x1.fffffep-1f ? time : 0x1.fffffep-1f;
+  const F before = F::Broadcast(1 - inner), after = F::Broadcast(inner);
   return TestSlabs(wide, slabs, limit, [&](uint32_t row) {
     return F::Load(node.box[0][row]) * before + F::Load(node.box[1][row]) * after;
   });

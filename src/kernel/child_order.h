@@ -22,17 +22,16 @@ struct NextChild {
   float entry;
 };
 
-/// Picks the nearest of the children that were met, `hits.bits` not 0, as the next one, and puts
-/// the others on the stack, the nearest last; with `kPrefetch` those are fetched, too. One and two
+/// Picks the nearest of the children that were met, `bits` not 0, as the next one, and puts the
+/// others on the stack, the nearest last; with `kPrefetch` those are fetched, too. One and two
 /// are the usual numbers and come first, with branches: a predicted branch lets the next record be
 /// fetched before the distances are known.
 template <int W, bool kPrefetch, class F>
-[[gnu::always_inline]] inline NextChild OrderChildren(const BoxHits<F>& hits,
+[[gnu::always_inline]] inline NextChild OrderChildren(uint32_t bits, F entries,
                                                       const Reference* child,
                                                       const Record* records, NodeStack* stack) {
   alignas(64) float entry[F::kCount];
-  hits.entry.Store(entry);
-  uint32_t bits = hits.bits;
+  entries.Store(entry);
   const int first = std::countr_zero(bits);
   bits &= bits - 1;
   if (bits == 0) return {child[first], entry[first]};

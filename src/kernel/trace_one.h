@@ -31,10 +31,11 @@ template <class L, bool kAny>
       const auto hits =
           TestBoxes(WideSlabs<F>(search->space.slabs), search->space.slabs, node,
                     F::Broadcast(search->nearest.t), search->Time());
-      if (hits.bits == 0) return false;
+      const uint32_t bits = hits.mask.Bits();
+      if (bits == 0) return false;
       NodeStack* stack = &search->stack;
       const NextChild next =
-          OrderChildren<L::kWidth, true>(hits, node.child, search->records, stack);
+          OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, search->records, stack);
       stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
       return false;
     }
@@ -66,9 +67,10 @@ void Finish(Search<L>* search) {
         const auto& node =
             *reinterpret_cast<const WideNode<L::kWidth>*>(records + next.reference);
         const auto hits = TestBoxes(wide, slabs, node, F::Broadcast(search->nearest.t));
-        is_missed = hits.bits == 0;
+        const uint32_t bits = hits.mask.Bits();
+        is_missed = bits == 0;
         if (is_missed) break;
-        next = OrderChildren<L::kWidth, true>(hits, node.child, records, stack);
+        next = OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, records, stack);
       }
       if (is_missed) continue;
 

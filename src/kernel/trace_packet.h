@@ -95,8 +95,9 @@ class PacketSearch {
       t_min_[i] = space.slabs.t_min;
       limit_[i] = active_ >> i & 1 ? search_[i].nearest.t : -1;
     }
-    slabs_ = &search_[first].space.slabs;
-    sheared_ = &search_[first].space.sheared;
+    const SpaceRay& space = search_[first].space;
+    std::copy_n(space.slabs.near_row, 3, near_row_);
+    kx_ = space.sheared.kx, ky_ = space.sheared.ky, kz_ = space.sheared.kz;
     UpdateFarthest();
 
     // Bounds on origins and reciprocals, wider than the slack of any ray.
@@ -133,7 +134,7 @@ class PacketSearch {
     for (int axis = 0; axis < 3; ++axis) {
       const F low = F::Broadcast(frustum_.low_slope[axis]);
       const F high = F::Broadcast(frustum_.high_slope[axis]);
-      const uint32_t row = slabs_->near_row[axis];
+      const uint32_t row = near_row_[axis];
       const F to_near = F::Load(node.box[row]) - F::Broadcast(frustum_.near_origin[axis]);
       const F to_far = F::Load(node.box[row ^ 1]) - F::Broadcast(frustum_.far_origin[axis]);
       enter[axis] = Min(to_near * low, to_near * high);
@@ -141,14 +142,14 @@ class PacketSearch {
     }
     const F entry = Max(Max(enter[0], enter[1]), Max(enter[2], F::Broadcast(nearest_t_min_)));
     const F exit = Min(Min(leave[0], leave[1]), Min(leave[2], F::Broadcast(farthest_)));
-    return {BitsLessEqual(entry, exit), entry};
+    return {entry <= exit, entry};
   }
 
   /// The rays that meet the box of a child, with the very numbers that each would find alone.
   [[gnu::always_inline]] uint32_t TestChild(const WideNode<kWidth>& node, uint32_t lane) {
     P enter[3], leave[3];
     for (int axis = 0; axis < 3; ++axis) {
-      const uint32_t row = slabs_->near_row[axis];
+      const uint32_t row = near_row_[axis];
       enter[axis] = FusedSubtract(P::Broadcast(node.box[row][lane]), P::Load(near_scale_[axis]),
                                   P::Load(near_offset_[axis]));
       leave[axis] = FusedSubtract(P::Broadcast(node.box[row ^ 1][lane]),
@@ -157,7 +158,7 @@ class PacketSearch {
     const P entry = Max(Max(enter[0], enter[1]), Max(enter[2], P::Load(t_min_)));
     const P exit = Min(Min(leave[0], leave[1]), Min(leave[2], P::Load(limit_)));
     entry.Store(entry_);
-    return BitsLessEqual(entry, exit);
+    return (entry <= exit).Bits();
   }
 
   void Descend(Reference root) {
@@ -203,7 +204,7 @@ class PacketSearch {
     hits.entry.Store(entry);
     Entry* const base = stack_ + size_;
     uint32_t count = 0;
-    ForEach(hits.bits, [&](int lane) {
+    ForEach(hits.mask.Bits(), [&](int lane) {
       uint32_t place = count++;
       for (; place > 0 && base[place - 1].entry < entry[lane]; --place) {
         base[place] = base[place - 1];
@@ -218,7 +219,7 @@ class PacketSearch {
   /// operations that a single ray has.
   void TestLeaf(const TriangleLeaf& leaf, uint32_t rays) {
     alignas(64) float x[8][kRays], y[8][kRays];
-    const int kx = sheared_->kx, ky = sheared_->ky, kz = sheared_->kz;
+    const int kx = kx_, ky = ky_, kz = kz_;
     const P origin_x = P::Load(origin_[kx]), origin_y = P::Load(origin_[ky]);
     const P origin_z = P::Load(origin_[kz]);
     const P shear_x = P::Load(shear_[0]), shear_y = P::Load(shear_[1]);
@@ -236,9 +237,9 @@ class PacketSearch {
       const P area_b = ax * cy - ay * cx;
       const P area_c = bx * ay - by * ax;
       const P zero = P::Broadcast(0);
-      const uint32_t is_mixed = BitsLess(Min(Min(area_a, area_b), area_c), zero) &
-                                BitsLess(zero, Max(Max(area_a, area_b), area_c));
-      const uint32_t candidates = rays & ~is_mixed;
+      const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
+                            (zero < Max(Max(area_a, area_b), area_c));
+      const uint32_t candidates = rays & ~is_mixed.Bits();
       if (candidates == 0) return;
       alignas(64) float areas[3][kRays];
       area_a.Store(areas[0]);
@@ -262,8 +263,9 @@ class PacketSearch {
 
   uint32_t active_ = 0;  ///< Bit i: ray i still looks for hits.
   const Record* records_ = nullptr;
-  const Slabs* slabs_ = nullptr;         ///< For the rows, which are the same for all rays.
-  const ShearedRay* sheared_ = nullptr;  ///< For the axes.
+  /// The same for all rays. Copies: a ray whose search has ended may be in the space of an instance.
+  uint32_t near_row_[3];
+  int kx_ = 0, ky_ = 1, kz_ = 2;
   float farthest_ = 0, nearest_t_min_ = 0;
   struct {
     float near_origin[3], far_origin[3], low_slope[3], high_slope[3];

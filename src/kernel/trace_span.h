@@ -128,24 +128,24 @@ class SpanSearch {
         TestBoxes(WideSlabs<F>(slabs), slabs, node, F::Broadcast(search->nearest.t));
     NodeStack& stack = search->stack;
     const F child = F::Load(reinterpret_cast<const float*>(node.child));
-    const auto count = static_cast<uint32_t>(std::popcount(hits.bits));
+    const uint32_t bits = hits.mask.Bits();
+    const auto count = static_cast<uint32_t>(std::popcount(bits));
+    StackEntry* const top = stack.entry + stack.size;
     if constexpr (L::kWidth == 8) {
-      const auto order = OrderFarToNear(hits.entry, hits.bits);
-      StorePairs(Permute(child, order), Permute(hits.entry, order), stack.entry + stack.size);
-      stack.size += count;
+      const auto order = OrderFarToNear(hits.entry, hits.mask);
+      StorePairs(Permute(child, order), Permute(hits.entry, order), top);
     } else {
       if (count > 8) [[unlikely]] {
-        const NextChild next =
-            OrderChildren<L::kWidth, false>(hits, node.child, search->records, &stack);
+        const NextChild next = OrderChildren<L::kWidth, false>(bits, hits.entry, node.child,
+                                                               search->records, &stack);
         stack.entry[stack.size++] = MakeEntry(next.entry, next.reference);
         return;
       }
-      const auto entry = Compact(hits.entry, hits.bits);
-      const auto order = OrderFarToNear(entry, (1u << count) - 1);
-      StorePairs(Permute(Compact(child, hits.bits), order), Permute(entry, order),
-                 stack.entry + stack.size);
-      stack.size += count;
+      const auto entry = Compact(hits.entry, hits.mask);
+      const auto order = OrderFarToNear(entry, L::Leaf::Mask::FromBits((1u << count) - 1));
+      StorePairs(Permute(Compact(child, hits.mask), order), Permute(entry, order), top);
     }
+    stack.size += count;
   }
 
   const GroupData& group_;

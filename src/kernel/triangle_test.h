@@ -36,9 +36,9 @@ template <class L>
 
   // A triangle is out when it has areas of both signs. What is not a number decides nothing.
   const F zero = F::Broadcast(0);
-  const uint32_t is_mixed = BitsLess(Min(Min(area_a, area_b), area_c), zero) &
-                            BitsLess(zero, Max(Max(area_a, area_b), area_c));
-  return leaf.lanes & ~is_mixed;
+  const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
+                        (zero < Max(Max(area_a, area_b), area_c));
+  return leaf.lanes & ~is_mixed.Bits();
 }
 
 [[gnu::always_inline]] inline Vec3 LeafVertex(const float (*vertex)[8], uint32_t index) {

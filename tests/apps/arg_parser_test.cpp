@@ -167,6 +167,17 @@ TEST(ArgParser, PositionalsComeInOrderAndTheLastMayRepeat) {
   EXPECT_THAT(in, testing::ElementsAre("a", "--flag", "-x"));
 }
 
+TEST(ArgParser, AnOptionalListMayBeEmpty) {
+  std::vector<std::filesystem::path> in;
+  ArgParser parser("prog", "", ArgStyle::kGnu);
+  parser.OptionalList(File("IN", &in), "");
+  EXPECT_TRUE(parser.Parse({}).ok());
+  EXPECT_THAT(in, testing::IsEmpty());
+  EXPECT_THAT(parser.Help(), testing::StartsWith("Usage: prog [IN...] [options]\n"));
+  EXPECT_TRUE(parser.Parse(std::vector{"a", "b"}).ok());
+  EXPECT_THAT(in, testing::ElementsAre("a", "b"));
+}
+
 TEST(ArgParser, HelpAndVersionWinOverErrors) {
   Fixture course(ArgStyle::kCourse), gnu(ArgStyle::kGnu);
   using enum ArgParser::Outcome;

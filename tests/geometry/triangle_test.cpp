@@ -65,6 +65,24 @@ TEST(IntersectTriangle, SeenEdgeOnItIsMissed) {
   EXPECT_FALSE(IsHit(kRightAngle, Ray({-1, 0.25f, 0}, {1, 0, 0})));
 }
 
+// The plane is seen nearly edge-on, and the ray passes by the corner by a rounding error: it meets
+// the plane somewhere else, where the triangle is not.
+TEST(IntersectTriangle, ACornerIsHitWhereItIsHoweverTheTriangleIsTurned) {
+  UniformNumbers random(4);
+  int hits = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Vec3 origin = RandomPoint(&random) * 3, corner = RandomPoint(&random);
+    const Vec3 direction = corner - origin;
+    const Corners triangle = {corner, corner + direction * 0.5f + RandomPoint(&random) * 1e-5f,
+                              corner + RandomPoint(&random)};
+    HitRecord hit;
+    if (!Intersect(triangle, Ray(origin, direction), &hit) || hit.u != 0 || hit.v != 0) continue;
+    ++hits;
+    EXPECT_NEAR(hit.t, 1, 0x1p-23) << i;  // The direction is rounded.
+  }
+  EXPECT_GT(hits, 10000);
+}
+
 TEST(IntersectTriangle, TheLowerLimitCountsAndTheUpperOneDoesNot) {
   Ray ray({0.25f, 0.25f, 2}, {0, 0, -1});
   ray.t_min = 2;

@@ -141,6 +141,7 @@ TEST_P(BuildGroupOf, TrianglesOfAllSizes) {
 
 TEST_P(BuildGroupOf, CoordinatesOfAllSizes) {
   for (const float scale : {0x1p-100f, 0x1p-66f, 0x1p66f, 0x1p100f, 0x1p126f}) {
+    SCOPED_TRACE(scale);
     ExpectTreeOfAll(Soup(1000, scale));
   }
 }

@@ -164,7 +164,8 @@ class TreeCheck {
              "ids are ordered");
       content.push_back(static_cast<float>(id));
       ++found_[{leaf.item, id}];
-      Box around = {{1e38f, 1e38f, 1e38f}, {-1e38f, -1e38f, -1e38f}};
+      constexpr float kInf = Bounds3::kInfinity;
+      Box around = {{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
       for (int c = 0; c < 3; ++c) {
         const uint32_t place = leaf.Corner(c, i);
         used_vertices |= 1u << place;

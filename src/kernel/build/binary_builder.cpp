@@ -1,16 +1,15 @@
 #include "kernel/build/binary_builder.h"
 
 #include <algorithm>
-#include <memory>
+#include <atomic>
+#include <vector>
 
 #include "base/parallel.h"
+#include "kernel/build/partition.h"
 #include "kernel/build/triangle_packer.h"
 
 namespace candela::kernel {
 namespace {
-
-/// Ranges of at most so many fragments are left to one thread: they fit its cache.
-constexpr uint32_t kTaskSize = 32768;
 
 /// Fragments [begin, end), still to be divided.
 struct Range {
@@ -22,11 +21,43 @@ struct Range {
   uint32_t Count() const { return end - begin; }
 };
 
+/// Numbers for pairs of nodes: blocks of them for each worker, so that a part of the tree stands
+/// together, and the memory that is used as well.
+class PairNumbers {
+ public:
+  explicit PairNumbers(size_t workers) : next_(workers, 1), end_(workers, 1) {}
+
+  static size_t Most(size_t pairs, size_t workers) { return 1 + pairs + kBlock * workers; }
+
+  uint32_t Take(int worker) {
+    uint32_t& next = next_[static_cast<size_t>(worker)];
+    uint32_t& end = end_[static_cast<size_t>(worker)];
+    if (next == end) {
+      next = next_block_.fetch_add(kBlock, std::memory_order_relaxed);
+      end = next + kBlock;
+    }
+    return next++;
+  }
+
+ private:
+  static constexpr uint32_t kBlock = 1024;
+
+  std::atomic<uint32_t> next_block_ = 1;
+  std::vector<uint32_t> next_, end_;
+};
+
 class Builder {
  public:
-  Builder(const std::vector<BuildItem>& items, Fragment* fragments, const BinaryOptions& options,
-          BinaryTree* tree)
-      : items_(items), fragments_(fragments), options_(options), tree_(*tree) {}
+  Builder(const std::vector<BuildItem>& items, const FragmentList& list,
+          const BinaryOptions& options, BinaryTree* tree)
+      : items_(items),
+        fragments_(tree->fragments),
+        options_(options),
+        tree_(*tree),
+        task_size_(std::clamp(list.count / 32, 1024u, 2 * kChunkSize)),
+        pairs_(static_cast<size_t>(ThreadCount())) {
+    for (int i = 0; i < ThreadCount(); ++i) scratch_.emplace_back(task_size_ + kChunkSize);
+  }
 
   void Build(const Range& root) {
     std::vector<Range> large = {root}, tasks;
@@ -34,31 +65,31 @@ class Builder {
       StopWhenCancelled(options_.cancel);
       const Range range = large.back();
       large.pop_back();
-      if (range.Count() <= kTaskSize) {
+      if (range.Count() <= task_size_) {
         tasks.push_back(range);
         continue;
       }
       Range left, right;
-      Divide(range, &left, &right);
+      Divide(range, 0, &left, &right);
       large.push_back(right);
       large.push_back(left);
     }
-    ParallelFor(static_cast<int64_t>(tasks.size()), [&](int64_t i) {
+    ParallelForWorkers(static_cast<int64_t>(tasks.size()), [&](int64_t i, int worker) {
       StopWhenCancelled(options_.cancel);
-      BuildBelow(tasks[static_cast<size_t>(i)]);
+      BuildBelow(tasks[static_cast<size_t>(i)], worker);
     });
   }
 
  private:
-  void BuildBelow(const Range& range) {
+  void BuildBelow(const Range& range, int worker) {
     if (IsLeaf(range)) {
       MakeLeaf(range);
       return;
     }
     Range left, right;
-    Divide(range, &left, &right);
-    BuildBelow(left);
-    BuildBelow(right);
+    Divide(range, worker, &left, &right);
+    BuildBelow(left, worker);
+    BuildBelow(right, worker);
   }
 
   bool IsLeaf(const Range& range) const {
@@ -67,75 +98,119 @@ class Builder {
     const uint32_t number = fragments_[range.begin].Item();
     const BuildItem& item = items_[number];
     if (!item.triangles) return false;
-    TrianglePacker packer(item);
-    for (uint32_t i = range.begin; i < range.end; ++i) {
-      if (fragments_[i].Item() != number || !packer.Add(fragments_[i].Primitive())) return false;
+    for (uint32_t i = range.begin + 1; i < range.end; ++i) {
+      if (fragments_[i].Item() != number) return false;
     }
-    return true;
+    return TrianglePacker(item).Pack({fragments_ + range.begin, range.Count()});
   }
 
   void MakeLeaf(const Range& range) {
     tree_.nodes[range.node] =
         BinaryNode(range.box, range.begin, range.Count() | BinaryNode::kLeafMark);
-    for (uint32_t i = range.begin; i < range.end; ++i) {
-      tree_.entries[i] = {fragments_[i].Item(), fragments_[i].Primitive()};
-    }
-    std::sort(&tree_.entries[range.begin], &tree_.entries[range.end]);
+    std::sort(fragments_ + range.begin, fragments_ + range.end);
   }
 
-  void Divide(const Range& range, Range* left, Range* right) {
+  /// Divides a range in two and makes its node. With more than a task all threads work on it.
+  void Divide(const Range& range, int worker, Range* left, Range* right) {
     const BinMapping mapping(range.centers, range.Count());
     ObjectSplit split;
     if (range.depth < options_.halving_depth && mapping.IsUseful()) {
       Bins bins;
-      bins.Clear(mapping.bins);
-      bins.Add(fragments_ + range.begin, fragments_ + range.end, mapping);
+      FillBins(range, mapping, &bins);
       split = bins.FindSplit(AreaScale(range.box));
     }
-    Fragment* const begin = fragments_ + range.begin;
-    Fragment* const end = fragments_ + range.end;
-    uint32_t middle;
+    const uint32_t pair = pairs_.Take(worker);
+    tree_.nodes[range.node] = BinaryNode(range.box, pair, range.Count());
+    *left = {2 * pair, range.begin, 0, range.depth + 1, {}, {}};
+    *right = {2 * pair + 1, 0, range.end, range.depth + 1, {}, {}};
     if (split.IsFound()) {
-      const auto border = static_cast<float>(split.bin);
-      Fragment* const at = std::partition(begin, end, [&](const Fragment& fragment) {
-        return mapping.Position(fragment.Center())[split.axis] < border;
-      });
-      middle = static_cast<uint32_t>(at - fragments_);
+      PartitionRange(range, worker,
+                     [&, border = static_cast<float>(split.bin)](const Fragment& fragment) {
+                       return mapping.IsBelow(fragment, split.axis, border);
+                     });
+      left->end = right->begin = range.begin + split.left_count;
+      left->box = split.left;
+      right->box = split.right;
     } else {
-      middle = range.begin + range.Count() / 2;
-      HalveByPosition(range, begin, end);
+      left->end = right->begin = range.begin + range.Count() / 2;
+      Halve(range);
+      left->box = BoxOfRange(*left);
+      right->box = BoxOfRange(*right);
     }
-    *left = {2 * middle, range.begin, middle, range.depth + 1, {}, {}};
-    *right = {2 * middle + 1, middle, range.end, range.depth + 1, {}, {}};
-    FindBoxes(left);
-    FindBoxes(right);
-    tree_.nodes[range.node] = BinaryNode(range.box, middle, range.Count());
+    left->centers = CentersOf(*left);
+    right->centers = CentersOf(*right);
+  }
+
+  bool IsLarge(const Range& range) const { return range.Count() > task_size_; }
+
+  void FillBins(const Range& range, const BinMapping& mapping, Bins* bins) {
+    bins->Clear(mapping.bins);
+    Fragment* const begin = fragments_ + range.begin;
+    if (!IsLarge(range)) {
+      bins->Add(begin, fragments_ + range.end, mapping);
+      return;
+    }
+    std::vector<Bins> parts(scratch_.size());
+    for (Bins& part : parts) part.Clear(mapping.bins);
+    ForEachChunk(range.Count(), [&](uint32_t, uint32_t from, uint32_t to, int worker) {
+      StopWhenCancelled(options_.cancel);
+      parts[static_cast<size_t>(worker)].Add(begin + from, begin + to, mapping);
+    });
+    for (const Bins& part : parts) bins->Merge(part);
+  }
+
+  template <class IsLeft>
+  void PartitionRange(const Range& range, int worker, const IsLeft& is_left) {
+    Fragment* const begin = fragments_ + range.begin;
+    if (IsLarge(range)) {
+      PartitionParallel(begin, range.Count(), scratch_, is_left);
+    } else {
+      Partition(begin, fragments_ + range.end, scratch_[static_cast<size_t>(worker)].data(),
+                is_left);
+    }
   }
 
   /// For centres that coincide, or a tree that grows too deep: by position, then by number.
-  void HalveByPosition(const Range& range, Fragment* begin, Fragment* end) const {
-    const Float4 extent = range.centers.high - range.centers.low;
-    const int axis = LargestAxis(ToVec3(extent));
-    std::nth_element(begin, begin + range.Count() / 2, end,
+  void Halve(const Range& range) const {
+    const int axis = LargestAxis(ToVec3(range.centers.high - range.centers.low));
+    Fragment* const begin = fragments_ + range.begin;
+    std::nth_element(begin, begin + range.Count() / 2, fragments_ + range.end,
                      [axis](const Fragment& a, const Fragment& b) {
-                       const float at_a = a.Center()[axis], at_b = b.Center()[axis];
-                       if (at_a != at_b) return at_a < at_b;
-                       if (a.Item() != b.Item()) return a.Item() < b.Item();
-                       return a.Primitive() < b.Primitive();
+                       const float at_a = a.Center(axis), at_b = b.Center(axis);
+                       return at_a != at_b ? at_a < at_b : a < b;
                      });
   }
 
-  void FindBoxes(Range* range) const {
-    for (uint32_t i = range->begin; i < range->end; ++i) {
-      range->box.Extend(fragments_[i].Box());
-      range->centers.Extend(fragments_[i].Center());
-    }
+  Box4 BoxOfRange(const Range& range) const {
+    Box4 box;
+    for (uint32_t i = range.begin; i < range.end; ++i) box.Extend(fragments_[i].Box());
+    return box;
+  }
+
+  Box4 CentersOf(const Range& range) const {
+    const Fragment* const begin = fragments_ + range.begin;
+    const auto centers_of = [begin](uint32_t from, uint32_t to) {
+      Box4 centers;
+      for (uint32_t i = from; i < to; ++i) centers.Extend(begin[i].Center());
+      return centers;
+    };
+    if (!IsLarge(range)) return centers_of(0, range.Count());
+    std::vector<Box4> parts(scratch_.size());
+    ForEachChunk(range.Count(), [&](uint32_t, uint32_t from, uint32_t to, int worker) {
+      parts[static_cast<size_t>(worker)].Extend(centers_of(from, to));
+    });
+    Box4 centers;
+    for (const Box4& part : parts) centers.Extend(part);
+    return centers;
   }
 
   const std::vector<BuildItem>& items_;
   Fragment* const fragments_;
   const BinaryOptions& options_;
   BinaryTree& tree_;
+  const uint32_t task_size_;
+  PairNumbers pairs_;
+  std::vector<PageArray<Fragment>> scratch_;  ///< For each worker.
 };
 
 }  // namespace
@@ -143,10 +218,11 @@ class Builder {
 BinaryTree BuildBinaryTree(const std::vector<BuildItem>& items, FragmentList* list,
                            const BinaryOptions& options) {
   BinaryTree tree;
-  tree.capacity = list->count;
-  tree.nodes = PageArray<BinaryNode>(2 * static_cast<size_t>(tree.capacity));
-  tree.entries = PageArray<BinaryTree::Entry>(tree.capacity);
-  Builder(items, list->fragments.data(), options, &tree)
+  tree.fragments = list->fragments.data();
+  tree.most_pairs =
+      static_cast<uint32_t>(PairNumbers::Most(list->count, static_cast<size_t>(ThreadCount())));
+  tree.nodes = PageArray<BinaryNode>(2 * static_cast<size_t>(tree.most_pairs));
+  Builder(items, *list, options, &tree)
       .Build({BinaryTree::kRoot, 0, list->count, 0, list->box, list->centers});
   return tree;
 }

@@ -71,10 +71,4 @@ ObjectSplit Bins::FindSplit(float area_scale) const {
   return best;
 }
 
-uint32_t Bins::CountBelow(int axis, int bin) const {
-  uint32_t count = 0;
-  for (int i = 0; i < bin; ++i) count += count_[axis][i];
-  return count;
-}
-
 }  // namespace candela::kernel

@@ -16,6 +16,10 @@ struct BinMapping {
 
   /// In bins; not below 0, below `bins`. An axis without extent has only bin 0.
   Float4 Position(Float4 center) const { return (center - origin) * scale; }
+  /// `Position(fragment.Center())[axis] < bin`.
+  bool IsBelow(const Fragment& fragment, int axis, float bin) const {
+    return (fragment.Center(axis) - origin[axis]) * scale[axis] < bin;
+  }
   bool IsUseful() const { return scale[0] > 0 || scale[1] > 0 || scale[2] > 0; }
 
   Float4 origin, scale;
@@ -43,8 +47,6 @@ class Bins {
 
   /// The best split; areas are taken times `area_scale` squared.
   ObjectSplit FindSplit(float area_scale) const;
-
-  uint32_t CountBelow(int axis, int bin) const;
 
  private:
   Box4 box_[3][kMostBins];

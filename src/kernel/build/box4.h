@@ -26,7 +26,7 @@ struct Box4 {
   /// Half of the surface area times the square of `scale`. With `AreaScale` of a box around this
   /// one, the result neither overflows nor vanishes before it is negligible beside that box.
   float HalfArea(float scale) const {
-    const Float4 extent = high * Splat(scale) - low * Splat(scale);
+    const Float4 extent = (high - low) * Splat(scale);
     const Float4 next = __builtin_shufflevector(extent, extent, 1, 2, 0, 3);
     const Float4 product = extent * next;
     return product[0] + product[1] + product[2];

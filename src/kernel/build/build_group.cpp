@@ -110,12 +110,12 @@ class GroupBuilder {
   /// The last records.
   void WriteUnbounded(const FragmentList* lists) {
     auto record = static_cast<uint32_t>(group_.records.size()) - UnboundedRecords(lists);
-    std::vector<BinaryTree::Entry> primitives;
+    std::vector<Fragment> primitives;
     for (int i = 0; i < 2; ++i) {
       for (const FragmentList::Unbounded& each : lists[i].unbounded) {
         const BuildItem& item = items_[each.item];
         if (!item.instance) {
-          primitives.push_back({each.item, each.primitive});
+          primitives.push_back({Box4{}, each.item, each.primitive});
           continue;
         }
         WriteInstance(item, each.item, group_.records.data() + record);
@@ -126,7 +126,7 @@ class GroupBuilder {
     }
     for (size_t i = 0; i < primitives.size(); i += PrimitiveLeaf::kMost) {
       const size_t count = std::min<size_t>(PrimitiveLeaf::kMost, primitives.size() - i);
-      WriteLeaf(items_[primitives[i].item], {&primitives[i], count}, 0,
+      WriteLeaf(items_[primitives[i].Item()], {&primitives[i], count}, 0,
                 group_.records.data() + record, nullptr);
       group_.unbounded.push_back(MakeReference(RecordKind::kPrimitives, record++));
     }

@@ -66,6 +66,7 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
       item.count = static_cast<uint32_t>(triangles->triangles.size());
       item.steps = triangles->steps;
       item.vertex_count = triangles->positions.size() / triangles->steps;
+      item.may_weld = item.steps == 1 && item.vertex_count >= item.count;
       const bool is_plain = item.steps == 1 && from.mask == kAnyRay && !from.filter;
       item.leaf = is_plain ? RecordKind::kTriangles : RecordKind::kCheckedTriangles;
     } else if (const auto* primitives = std::get_if<PrimitiveInput>(&from.content)) {

@@ -20,6 +20,9 @@ struct BuildItem {
   uint32_t count = 0;  ///< Of primitives.
   uint32_t steps = 1;
   size_t vertex_count = 0;  ///< Of triangles, at one time step.
+  /// Whether vertices of the same position may become one. Worth it where triangles share few; not
+  /// of moving ones, which may meet at one time step only.
+  bool may_weld = false;
 
   bool IsMoving() const { return steps > 1; }
 

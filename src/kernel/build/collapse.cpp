@@ -37,11 +37,11 @@ struct Collapse::Costs {
 };
 
 Collapse::Collapse(const std::vector<BuildItem>& items, BinaryTree* tree, const CancelToken* cancel)
-    : items_(items), tree_(*tree), cancel_(cancel), choice_(tree->capacity) {}
+    : items_(items), tree_(*tree), cancel_(cancel), choice_(tree->most_pairs) {}
 
 double Collapse::LeafCost(uint32_t node) const {
   const BinaryNode& leaf = tree_.nodes[node];
-  switch (items_[tree_.entries[leaf.First()].item].leaf) {
+  switch (items_[tree_.fragments[leaf.First()].Item()].leaf) {
     case RecordKind::kPrimitives:
       return Area(leaf) * kPrimitiveCost * leaf.Count();
     case RecordKind::kInstance:
@@ -83,7 +83,7 @@ Collapse::Costs<kWidth> Collapse::Join(uint32_t node, const Costs<kWidth>& left,
     costs.in[slots] = costs.in[1];
     choice &= ~(uint64_t{15} << 4 * (slots - 1));
   }
-  choice_[inner.Split()] = choice;
+  choice_[inner.Pair()] = choice;
   return costs;
 }
 
@@ -149,31 +149,34 @@ double Collapse::CostOfJoining(uint32_t node) const {
   if (inner.Count() > PrimitiveLeaf::kMost) return kImpossible;
   Entries entries;
   CollectEntries(node, &entries);
-  const uint32_t number = entries.entry[0].item;
+  const uint32_t number = entries.entry[0].Item();
   const RecordKind kind = items_[number].leaf;
   if (kind == RecordKind::kPrimitives) {
     for (uint32_t i = 0; i < entries.count; ++i) {
-      if (items_[entries.entry[i].item].leaf != kind) return kImpossible;
+      if (items_[entries.entry[i].Item()].leaf != kind) return kImpossible;
     }
     return Area(inner) * kPrimitiveCost * entries.count;
   }
   if (kind == RecordKind::kInstance) return kImpossible;
-  TrianglePacker packer(items_[number]);
   for (uint32_t i = 0; i < entries.count; ++i) {
-    if (entries.entry[i].item != number || !packer.Add(entries.entry[i].primitive)) {
-      return kImpossible;
-    }
+    if (entries.entry[i].Item() != number) return kImpossible;
   }
+  if (!TrianglePacker(items_[number]).Pack({entries.entry, entries.count})) return kImpossible;
   return Area(inner) * kTriangleLeafCost;
 }
 
 /// The entries below a node, sorted, each once: two pieces of a triangle may have come together.
 void Collapse::CollectEntries(uint32_t node, Entries* entries) const {
   CollectUnsorted(node, entries);
-  BinaryTree::Entry* const begin = entries->entry;
-  BinaryTree::Entry* const end = begin + entries->count;
+  Fragment* const begin = entries->entry;
+  Fragment* const end = begin + entries->count;
   std::sort(begin, end);
-  entries->count = static_cast<uint32_t>(std::unique(begin, end) - begin);
+  entries->count = static_cast<uint32_t>(std::unique(begin, end,
+                                                     [](const Fragment& a, const Fragment& b) {
+                                                       return a.Item() == b.Item() &&
+                                                              a.Primitive() == b.Primitive();
+                                                     }) -
+                                         begin);
 }
 
 void Collapse::CollectUnsorted(uint32_t node, Entries* entries) const {
@@ -184,7 +187,7 @@ void Collapse::CollectUnsorted(uint32_t node, Entries* entries) const {
     return;
   }
   for (uint32_t i = 0; i < binary.Count(); ++i) {
-    entries->entry[entries->count++] = tree_.entries[binary.First() + i];
+    entries->entry[entries->count++] = tree_.fragments[binary.First() + i];
   }
 }
 
@@ -192,7 +195,7 @@ void Collapse::CollectUnsorted(uint32_t node, Entries* entries) const {
 void Collapse::JoinBelow(uint32_t node, int slots) {
   BinaryNode& binary = tree_.nodes[node];
   if (binary.IsLeaf()) return;
-  const uint64_t choice = choice_[binary.Split()];
+  const uint64_t choice = choice_[binary.Pair()];
   while (slots > 1 && SlotsOfLeft(choice, slots) == 0) --slots;
   if (slots == 1) {
     if ((choice & 1) == 0) {
@@ -212,7 +215,7 @@ void Collapse::MakeLeaf(uint32_t node) {
   uint32_t first = node;
   while (!tree_.nodes[first].IsLeaf()) first = tree_.nodes[first].Left();
   first = tree_.nodes[first].First();
-  std::copy_n(entries.entry, entries.count, &tree_.entries[first]);
+  std::copy_n(entries.entry, entries.count, tree_.fragments + first);
   tree_.nodes[node] =
       BinaryNode(tree_.nodes[node].Box(), first, entries.count | BinaryNode::kLeafMark);
 }
@@ -220,7 +223,7 @@ void Collapse::MakeLeaf(uint32_t node) {
 int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
   const BinaryNode& binary = tree_.nodes[node];
   if (!binary.IsLeaf()) {
-    const uint64_t choice = choice_[binary.Split()];
+    const uint64_t choice = choice_[binary.Pair()];
     while (slots > 1 && SlotsOfLeft(choice, slots) == 0) --slots;
     if (slots > 1) {
       const int slots_of_left = SlotsOfLeft(choice, slots);
@@ -234,7 +237,7 @@ int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
 
 int Collapse::ChildrenOf(uint32_t node, int width, uint32_t* to) const {
   const BinaryNode& inner = tree_.nodes[node];
-  const int slots_of_left = SlotsOfLeft(choice_[inner.Split()], width);
+  const int slots_of_left = SlotsOfLeft(choice_[inner.Pair()], width);
   const int count = NodesInSlots(inner.Left(), slots_of_left, to);
   return count + NodesInSlots(inner.Right(), width - slots_of_left, to + count);
 }

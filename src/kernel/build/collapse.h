@@ -48,7 +48,7 @@ class Collapse {
 
   struct Entries {
     uint32_t count = 0;
-    BinaryTree::Entry entry[PrimitiveLeaf::kMost];
+    Fragment entry[PrimitiveLeaf::kMost];
   };
   double LeafCost(uint32_t node) const;
   double CostOfJoining(uint32_t node) const;
@@ -61,8 +61,9 @@ class Collapse {
   BinaryTree& tree_;
   const CancelToken* cancel_;
   bool may_join_ = false;
-  /// By the split of the node, 4 bits for each number of slots, from 1 on. The number of slots that
-  /// the left child gets; 0 where one slot less is as good. For one slot: 0 a leaf, 1 a node.
+  /// By the pair of the node's children, 4 bits for each number of slots, from 1 on. The number of
+  /// slots that the left child gets; 0 where one slot less is as good. For one slot: 0 a leaf, 1 a
+  /// node.
   PageArray<uint64_t> choice_;
 };
 

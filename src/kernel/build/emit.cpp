@@ -93,12 +93,8 @@ class Emitter {
 
   bool IsTask(uint32_t node) const { return tree_.nodes[node].Count() <= kTaskSize; }
 
-  std::span<const BinaryTree::Entry> EntriesOf(uint32_t leaf) const {
-    return {&tree_.entries[tree_.nodes[leaf].First()], tree_.nodes[leaf].Count()};
-  }
-
   Place SizeOfLeaf(uint32_t leaf) const {
-    const BuildItem& item = items_[tree_.entries[tree_.nodes[leaf].First()].item];
+    const BuildItem& item = items_[tree_.fragments[tree_.nodes[leaf].First()].Item()];
     if (!item.triangles) return {1, 0};
     return {TriangleLeafRecords(item.steps), tree_.nodes[leaf].Count()};
   }
@@ -141,20 +137,20 @@ class Emitter {
   }
 
   Subtree EmitLeaf(uint32_t leaf, Place* place) {
-    const auto entries = EntriesOf(leaf);
-    const BuildItem& item = items_[entries[0].item];
+    const auto fragments = tree_.FragmentsOf(leaf);
+    const BuildItem& item = items_[fragments[0].Item()];
     const Place size = SizeOfLeaf(leaf);
     Subtree subtree;
     subtree.reference = MakeReference(item.leaf, static_cast<uint32_t>(place->records));
     Record* const record = group_->records.data() + place->records;
-    WriteLeaf(item, entries, static_cast<uint32_t>(place->ids), record,
+    WriteLeaf(item, fragments, static_cast<uint32_t>(place->ids), record,
               group_->triangle_ids.data());
     *place += size;
     if (item.instance) subtree.total_need = 1 + item.instance->group->data().stack_need;
     if (moving_) {
-      for (const BinaryTree::Entry& entry : entries) {
+      for (const Fragment& fragment : fragments) {
         LinearBox box;
-        LinearBoxOf(item, entry.primitive, &box);
+        LinearBoxOf(item, fragment.Primitive(), &box);
         subtree.box.Extend(box);
       }
     }

@@ -23,6 +23,23 @@ struct alignas(32) Fragment {
   Box4 Box() const { return {low, high}; }
   /// Half the middle, so that no sum or difference of two of them overflows; 0 in the fourth lane.
   Float4 Center() const { return Xyz(low) * Splat(0.25f) + Xyz(high) * Splat(0.25f); }
+  float Center(int axis) const {
+    float bounds[8];
+    std::memcpy(bounds, this, sizeof(bounds));
+    return bounds[axis] * 0.25f + bounds[axis + 4] * 0.25f;
+  }
+
+  /// By item and primitive; pieces of a primitive by their boxes. Fragments that are neither less
+  /// nor greater are the same.
+  friend bool operator<(const Fragment& a, const Fragment& b) {
+    if (a.Item() != b.Item()) return a.Item() < b.Item();
+    if (a.Primitive() != b.Primitive()) return a.Primitive() < b.Primitive();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (a.low[axis] != b.low[axis]) return a.low[axis] < b.low[axis];
+      if (a.high[axis] != b.high[axis]) return a.high[axis] < b.high[axis];
+    }
+    return false;
+  }
 };
 static_assert(sizeof(Fragment) == 32);
 

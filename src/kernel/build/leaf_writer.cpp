@@ -7,24 +7,24 @@
 
 namespace candela::kernel {
 
-void WriteLeaf(const BuildItem& item, std::span<const BinaryTree::Entry> entries, uint32_t first_id,
+void WriteLeaf(const BuildItem& item, std::span<const Fragment> fragments, uint32_t first_id,
                Record* record, uint32_t* triangle_ids) {
   if (item.instance) {
-    WriteInstance(item, entries[0].item, record);
+    WriteInstance(item, fragments[0].Item(), record);
   } else if (item.set) {
     auto& leaf = *new (record) PrimitiveLeaf{};
-    for (const BinaryTree::Entry& entry : entries) {
-      leaf.entry[leaf.count++] = {entry.item, entry.primitive};
+    for (const Fragment& fragment : fragments) {
+      leaf.entry[leaf.count++] = {fragment.Item(), fragment.Primitive()};
     }
   } else {
     TrianglePacker packer(item);
-    for (const BinaryTree::Entry& entry : entries) {
-      CHECK(packer.Add(entry.primitive));
-      triangle_ids[first_id + (&entry - entries.data())] = entry.primitive;
+    CHECK(packer.Pack(fragments));
+    for (size_t i = 0; i < fragments.size(); ++i) {
+      triangle_ids[first_id + i] = fragments[i].Primitive();
     }
     auto& leaf = *reinterpret_cast<TriangleLeaf*>(record);
     leaf.first = first_id;
-    leaf.item = entries[0].item;
+    leaf.item = fragments[0].Item();
     packer.Write(&leaf);
   }
 }

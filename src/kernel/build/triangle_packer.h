@@ -2,39 +2,39 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "kernel/build/build_items.h"
+#include "kernel/build/fragment.h"
 #include "kernel/record.h"
 
 namespace candela::kernel {
 
 /// Packs up to 8 triangles of one item with up to 8 different vertices into a `TriangleLeaf`.
 ///
-/// Vertices with different indices and the same position become one, so that triangles without
-/// shared vertices are packed as well as others. Not those of moving items: their vertices may
-/// meet at one time step only.
+/// Where a mesh shares few vertices and there are too many indices, vertices with the same position
+/// become one, so that such triangles are packed as well as others.
 class TrianglePacker {
  public:
   static constexpr uint32_t kMost = 8;
 
   explicit TrianglePacker(const BuildItem& item) : item_(item) {}
 
-  /// Adds a triangle unless it does not fit; then the packer is of no further use.
-  bool Add(uint32_t triangle);
+  /// Whether the triangles, which are of the item, fit into one leaf.
+  bool Pack(std::span<const Fragment> triangles);
 
   /// Writes corners, lanes, steps and vertices, of all time steps.
   void Write(TriangleLeaf* leaf) const;
 
  private:
-  /// The place of a vertex, which is added when it is new; kMost when there is no room.
-  uint32_t Find(uint32_t vertex);
+  bool PackByIndex(const uint32_t* vertices);
+  bool PackByPosition(const uint32_t* vertices);
 
   const BuildItem& item_;
   uint32_t triangles_ = 0;
-  uint32_t vertices_ = 0;
-  uint32_t corner_[3] = {0, 0, 0};
-  uint32_t vertex_[kMost];
-  Vec3 position_[kMost];
+  uint32_t vertices_ = 0;       ///< Different ones.
+  uint32_t vertex_[kMost];      ///< Their indices.
+  uint32_t corner_[3 * kMost];  ///< The place in `vertex_` of corner c of triangle i at 3 i + c.
 };
 
 /// Vertex v of a time step of a leaf: `row[axis][v]`.

@@ -20,6 +20,12 @@ struct Float8 {
   static constexpr int kCount = 8;
   __m256 v;
 
+  struct Mask {
+    __m256 v;  ///< All bits of a lane where it holds.
+    uint32_t Bits() const { return static_cast<uint32_t>(_mm256_movemask_ps(v)); }
+    friend Mask operator&(Mask a, Mask b) { return {_mm256_and_ps(a.v, b.v)}; }
+  };
+
   static Float8 Load(const float* from) { return {_mm256_load_ps(from)}; }
   static Float8 Broadcast(float value) { return {_mm256_set1_ps(value)}; }
   void Store(float* to) const { _mm256_store_ps(to, v); }
@@ -33,12 +39,8 @@ struct Float8 {
   }
   friend Float8 Min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
   friend Float8 Max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-  friend uint32_t BitsLess(Float8 a, Float8 b) {
-    return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
-  }
-  friend uint32_t BitsLessEqual(Float8 a, Float8 b) {
-    return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
-  }
+  friend Mask operator<(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
+  friend Mask operator<=(Float8 a, Float8 b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
   friend Float8 Permute(Float8 from, Index8 index) {
     return {_mm256_permutevar8x32_ps(from.v, index.v)};
   }
@@ -48,6 +50,12 @@ struct Float8 {
 struct Float16 {
   static constexpr int kCount = 16;
   Float8 low, high;
+
+  struct Mask {
+    Float8::Mask low, high;
+    uint32_t Bits() const { return low.Bits() | high.Bits() << 8; }
+    friend Mask operator&(Mask a, Mask b) { return {a.low & b.low, a.high & b.high}; }
+  };
 
   static Float16 Load(const float* from) { return {Float8::Load(from), Float8::Load(from + 8)}; }
   static Float16 Broadcast(float value) {
@@ -67,12 +75,8 @@ struct Float16 {
   }
   friend Float16 Min(Float16 a, Float16 b) { return {Min(a.low, b.low), Min(a.high, b.high)}; }
   friend Float16 Max(Float16 a, Float16 b) { return {Max(a.low, b.low), Max(a.high, b.high)}; }
-  friend uint32_t BitsLess(Float16 a, Float16 b) {
-    return BitsLess(a.low, b.low) | BitsLess(a.high, b.high) << 8;
-  }
-  friend uint32_t BitsLessEqual(Float16 a, Float16 b) {
-    return BitsLessEqual(a.low, b.low) | BitsLessEqual(a.high, b.high) << 8;
-  }
+  friend Mask operator<(Float16 a, Float16 b) { return {a.low < b.low, a.high < b.high}; }
+  friend Mask operator<=(Float16 a, Float16 b) { return {a.low <= b.low, a.high <= b.high}; }
 };
 
 struct Double16 {
@@ -120,15 +124,12 @@ template <int kSmaller>
                             kSmaller);
 }
 
-inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+inline Index8 OrderFarToNear(Float8 distance, Float8::Mask mask) {
   // Distances are not negative, so their bits are ordered like signed numbers; -1 is below all.
   const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
-  const __m256i is_out = _mm256_cmpeq_epi32(
-      _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)),
-                       _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128)),
-      _mm256_setzero_si256());
   const __m256i near = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(distance.v));
-  __m256i keys = _mm256_or_si256(_mm256_or_si256(near, lanes), is_out);
+  __m256i keys = _mm256_blendv_epi8(_mm256_set1_epi32(-1), _mm256_or_si256(near, lanes),
+                                    _mm256_castps_si256(mask.v));
   keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
   keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b00011011));
   keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));

@@ -21,6 +21,13 @@ struct Float8 {
   static constexpr int kCount = 8;
   __m256 v;
 
+  struct Mask {
+    __mmask8 v;
+    uint32_t Bits() const { return _cvtmask8_u32(v); }
+    static Mask FromBits(uint32_t bits) { return {_cvtu32_mask8(bits)}; }
+    friend Mask operator&(Mask a, Mask b) { return {_kand_mask8(a.v, b.v)}; }
+  };
+
   static Float8 Load(const float* from) { return {_mm256_load_ps(from)}; }
   static Float8 Broadcast(float value) { return {_mm256_set1_ps(value)}; }
   void Store(float* to) const { _mm256_store_ps(to, v); }
@@ -33,11 +40,11 @@ struct Float8 {
   }
   friend Float8 Min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
   friend Float8 Max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-  friend uint32_t BitsLess(Float8 a, Float8 b) {
-    return _cvtmask8_u32(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
+  friend Mask operator<(Float8 a, Float8 b) {
+    return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
   }
-  friend uint32_t BitsLessEqual(Float8 a, Float8 b) {
-    return _cvtmask8_u32(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
+  friend Mask operator<=(Float8 a, Float8 b) {
+    return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)};
   }
   friend Float8 Permute(Float8 from, Index8 index) {
     return {_mm256_permutevar8x32_ps(from.v, index.v)};
@@ -47,6 +54,12 @@ struct Float8 {
 struct Float16 {
   static constexpr int kCount = 16;
   __m512 v;
+
+  struct Mask {
+    __mmask16 v;
+    uint32_t Bits() const { return _cvtmask16_u32(v); }
+    friend Mask operator&(Mask a, Mask b) { return {_kand_mask16(a.v, b.v)}; }
+  };
 
   static Float16 Load(const float* from) { return {_mm512_load_ps(from)}; }
   static Float16 Broadcast(float value) { return {_mm512_set1_ps(value)}; }
@@ -61,17 +74,17 @@ struct Float16 {
   }
   friend Float16 Min(Float16 a, Float16 b) { return {_mm512_min_ps(a.v, b.v)}; }
   friend Float16 Max(Float16 a, Float16 b) { return {_mm512_max_ps(a.v, b.v)}; }
-  friend uint32_t BitsLess(Float16 a, Float16 b) {
-    return _cvtmask16_u32(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ));
+  friend Mask operator<(Float16 a, Float16 b) {
+    return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
   }
-  friend uint32_t BitsLessEqual(Float16 a, Float16 b) {
-    return _cvtmask16_u32(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ));
+  friend Mask operator<=(Float16 a, Float16 b) {
+    return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)};
   }
 };
 
-/// The lanes of `bits`, at most 8, side by side.
-inline Float8 Compact(Float16 a, uint32_t bits) {
-  return {_mm512_castps512_ps256(_mm512_maskz_compress_ps(_cvtu32_mask16(bits), a.v))};
+/// The lanes of `mask`, at most 8, side by side.
+inline Float8 Compact(Float16 a, Float16::Mask mask) {
+  return {_mm512_castps512_ps256(_mm512_maskz_compress_ps(mask.v, a.v))};
 }
 
 struct Double16 {
@@ -111,11 +124,11 @@ template <int kSmaller>
                             kSmaller);
 }
 
-inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+inline Index8 OrderFarToNear(Float8 distance, Float8::Mask mask) {
   // Distances are not negative, so their bits are ordered like signed numbers; -1 is below all.
   const __m256i lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
   const __m256i near = _mm256_andnot_si256(_mm256_set1_epi32(7), _mm256_castps_si256(distance.v));
-  __m256i keys = _mm256_mask_or_epi32(_mm256_set1_epi32(-1), _cvtu32_mask8(bits), near, lanes);
+  __m256i keys = _mm256_mask_or_epi32(_mm256_set1_epi32(-1), mask.v, near, lanes);
   keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));
   keys = KeepOrdered<0b11001100>(keys, _mm256_shuffle_epi32(keys, 0b00011011));
   keys = KeepOrdered<0b10101010>(keys, _mm256_shuffle_epi32(keys, 0b10110001));

@@ -22,11 +22,17 @@ struct Lanes {
     for (int i = 0; i < N; ++i) result.lane[i] = function(i);
     return result;
   }
+  /// The answers to a comparison; bit i belongs to lane i.
+  struct Mask {
+    uint32_t bits;
+    uint32_t Bits() const { return bits; }
+    friend Mask operator&(Mask a, Mask b) { return {a.bits & b.bits}; }
+  };
   template <class Predicate>
-  [[gnu::always_inline]] static uint32_t Bits(Predicate predicate) {
-    uint32_t bits = 0;
-    for (int i = 0; i < N; ++i) bits |= static_cast<uint32_t>(predicate(i)) << i;
-    return bits;
+  [[gnu::always_inline]] static Mask Where(Predicate predicate) {
+    Mask mask{0};
+    for (int i = 0; i < N; ++i) mask.bits |= static_cast<uint32_t>(predicate(i)) << i;
+    return mask;
   }
 
   static Lanes Load(const T* from) {
@@ -62,12 +68,12 @@ struct Lanes {
   friend Lanes Max(Lanes a, Lanes b) {
     return Each([&](int i) { return a.lane[i] > b.lane[i] ? a.lane[i] : b.lane[i]; });
   }
-  /// Bit i: whether it holds in lane i; never for what is not a number.
-  friend uint32_t BitsLess(Lanes a, Lanes b) {
-    return Bits([&](int i) { return a.lane[i] < b.lane[i]; });
+  /// Never true for what is not a number.
+  friend Mask operator<(Lanes a, Lanes b) {
+    return Where([&](int i) { return a.lane[i] < b.lane[i]; });
   }
-  friend uint32_t BitsLessEqual(Lanes a, Lanes b) {
-    return Bits([&](int i) { return a.lane[i] <= b.lane[i]; });
+  friend Mask operator<=(Lanes a, Lanes b) {
+    return Where([&](int i) { return a.lane[i] <= b.lane[i]; });
   }
 };
 
@@ -90,13 +96,13 @@ inline Float8 Permute(Float8 from, Index8 index) {
   return Float8::Each([&](int i) { return from.lane[index.lane[i]]; });
 }
 
-/// The lanes of `bits` first, in the order of their distances from far to near, all others behind;
+/// The lanes of `mask` first, in the order of their distances from far to near, all others behind;
 /// distances that differ in their last three bits only are in the order of the lanes, backwards.
-inline Index8 OrderFarToNear(Float8 distance, uint32_t bits) {
+inline Index8 OrderFarToNear(Float8 distance, Float8::Mask mask) {
   int64_t key[8];
   for (uint32_t i = 0; i < 8; ++i) {
     const uint32_t distance_bits = std::bit_cast<uint32_t>(distance.lane[i]);
-    key[i] = bits >> i & 1 ? int64_t{distance_bits & ~7u | i} : -1 - int64_t{i};
+    key[i] = mask.bits >> i & 1 ? int64_t{(distance_bits & ~7u) | i} : -1 - int64_t{i};
   }
   std::sort(key, key + 8, std::greater<>());
   Index8 index;

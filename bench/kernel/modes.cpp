@@ -1,0 +1,116 @@
+#include "modes.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace candela {
+namespace {
+
+/// Rays that a renderer would hand over together.
+constexpr size_t kSpan = 2048;
+
+/// Of all threads of this process.
+double CpuSeconds() {
+  timespec time{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+void Start(std::span<const Ray> rays, std::span<HitRecord> hits) {
+  for (size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = HitRecord();
+    hits[i].t = rays[i].t_max;
+  }
+}
+
+/// Calls `body` for each part of the rays.
+template <class Body>
+void ForSpans(std::span<const Ray> rays, const Body& body) {
+  for (size_t begin = 0; begin < rays.size(); begin += kSpan) {
+    body(begin, rays.subspan(begin, std::min(kSpan, rays.size() - begin)));
+  }
+}
+
+double TimeOnce(const Tracer& tracer, std::span<const Ray> rays, bool any_hit) {
+  std::vector<HitRecord> hits(kSpan);
+  std::vector<uint8_t> occluded(kSpan);
+  const double before = CpuSeconds();
+  ForSpans(rays, [&](size_t, std::span<const Ray> part) {
+    if (any_hit) {
+      tracer.occluded(part, std::span(occluded).first(part.size()));
+    } else {
+      const auto part_hits = std::span(hits).first(part.size());
+      Start(part, part_hits);
+      tracer.intersect(part, part_hits);
+    }
+  });
+  return CpuSeconds() - before;
+}
+
+/// All answers; any hits as records with nothing but the object set.
+std::vector<HitRecord> AllHits(const Tracer& tracer, std::span<const Ray> rays, bool any_hit) {
+  std::vector<HitRecord> hits(rays.size());
+  Start(rays, hits);
+  std::vector<uint8_t> occluded(kSpan);
+  ForSpans(rays, [&](size_t begin, std::span<const Ray> part) {
+    if (!any_hit) return tracer.intersect(part, std::span(hits).subspan(begin, part.size()));
+    tracer.occluded(part, std::span(occluded).first(part.size()));
+    for (size_t i = 0; i < part.size(); ++i) {
+      if (occluded[i] != 0) hits[begin + i].object = 0;
+    }
+  });
+  return hits;
+}
+
+Differences Compare(std::span<const HitRecord> hits, std::span<const HitRecord> right) {
+  Differences differences;
+  for (size_t i = 0; i < hits.size(); ++i) {
+    if (hits[i].IsHit() != right[i].IsHit()) {
+      ++differences.hit_or_miss;
+    } else if (hits[i].IsHit() && std::abs(hits[i].t - right[i].t) > 1e-4f * right[i].t) {
+      ++differences.t;
+    }
+  }
+  return differences;
+}
+
+bool IsSame(const HitRecord& a, const HitRecord& b) {
+  return a.t == b.t && a.u == b.u && a.v == b.v && a.object == b.object &&
+         a.primitive == b.primitive && std::ranges::equal(a.nested, b.nested);
+}
+
+}  // namespace
+
+std::array<double, kModes> TimeModes(const Tracers& tracers, std::span<const Ray> rays,
+                                     bool any_hit, int repetitions) {
+  std::array<double, kModes> best;
+  best.fill(std::numeric_limits<double>::infinity());
+  for (int repetition = 0; repetition < repetitions; ++repetition) {
+    for (size_t mode = 0; mode < kModes; ++mode) {
+      best[mode] = std::min(best[mode], TimeOnce(tracers[mode], rays, any_hit));
+    }
+  }
+  return best;
+}
+
+Agreement CompareModes(const Tracers& tracers, std::span<const Ray> rays, bool any_hit) {
+  const std::vector<HitRecord> right = AllHits(tracers[kEmbreeRobust], rays, any_hit);
+  const std::vector<HitRecord> single = AllHits(tracers[kOurSingle], rays, any_hit);
+  Agreement agreement;
+  std::vector<bool> differs(rays.size());
+  for (size_t mode = 0; mode < kModes; ++mode) {
+    const std::vector<HitRecord> hits = AllHits(tracers[mode], rays, any_hit);
+    agreement.from_robust[mode] = Compare(hits, right);
+    if (mode != kOurBatch && mode != kOurPacket) continue;
+    for (size_t i = 0; i < rays.size(); ++i) {
+      if (!IsSame(hits[i], single[i])) differs[i] = true;
+    }
+  }
+  agreement.between_ours = static_cast<uint64_t>(std::ranges::count(differs, true));
+  return agreement;
+}
+
+}  // namespace candela

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "results.h"
+
+namespace candela {
+
+/// All tables in Markdown, since they go to docs/performance.md.
+std::string Tables(const BenchResult& result);
+
+/// Everything that was measured.
+std::string Json(const BenchResult& result);
+
+}  // namespace candela

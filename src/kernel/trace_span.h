@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <type_traits>
 #include <utility>
 
 #include "kernel/trace_one.h"
@@ -15,7 +16,9 @@ namespace candela::kernel {
 template <class L, bool kAny>
 class SpanSearch {
  public:
-  static constexpr uint32_t kInFlight = 32;
+  static constexpr uint32_t kInFlight = 20;
+  /// Rays that take a step together: their instructions do not wait for each other's.
+  static constexpr uint32_t kTogether = 4;
 
   SpanSearch(const GroupData& group, const Ray* rays, size_t count)
       : group_(group), rays_(rays), count_(count) {}
@@ -26,25 +29,22 @@ class SpanSearch {
   void Run(Limit limit, Report report) {
     for (uint32_t i = 0; i < kInFlight; ++i) TakeNext(i, limit, report);
     while (waiting_[kNodes].size + waiting_[kTriangles].size + waiting_[kOthers].size > 0) {
-      ForAllOf(kNodes, [&](uint32_t i) {
-        StepIntoNode(&slots_[i].search);
-        Advance(i, limit, report);
+      ForAllOf(kNodes, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        StepIntoNodes<kCount>(slots);
+        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
       });
-      ForAllOf(kTriangles, [&](uint32_t i) {
-        Search<L>* search = &slots_[i].search;
-        const auto& leaf = *reinterpret_cast<const TriangleLeaf*>(
-            search->records + RecordOf(search->current.reference));
-        const bool is_over =
-            TestTriangles<L, kAny, false>(leaf, leaf.vertex, search->current.entry, search);
-        if (kAny && is_over) search->stack.size = 0;
-        Advance(i, limit, report);
+      ForAllOf(kTriangles, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        TestLeaves<kCount>(slots);
+        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
       });
-      ForAllOf(kOthers, [&](uint32_t i) {
-        Search<L>* search = &slots_[i].search;
-        const bool is_over = VisitOther<L, kAny>(search->current.reference,
-                                                 search->current.entry, search);
-        if (kAny && is_over) search->stack.size = 0;
-        Advance(i, limit, report);
+      ForAllOf(kOthers, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
+        for (uint32_t k = 0; k < kCount; ++k) {
+          Search<L>* search = &slots_[slots[k]].search;
+          const bool is_over = VisitOther<L, kAny>(search->current.reference,
+                                                   search->current.entry, search);
+          if (kAny && is_over) search->stack.size = 0;
+          Advance(slots[k], limit, report);
+        }
       });
     }
   }
@@ -62,12 +62,18 @@ class SpanSearch {
     uint8_t slot[kInFlight];
   };
 
-  /// Calls `step` for each slot on a list, which begins a new list.
+  /// A number that the compiler knows.
+  template <uint32_t kCount>
+  using Times = std::integral_constant<uint32_t, kCount>;
+
+  /// Calls `step` for the slots on a list, several at a time, while a new list begins.
   template <class Step>
-  void ForAllOf(Kind kind, Step step) {
+  [[gnu::always_inline]] void ForAllOf(Kind kind, Step step) {
     const List list = waiting_[kind];
     waiting_[kind].size = 0;
-    for (uint32_t i = 0; i < list.size; ++i) step(list.slot[i]);
+    uint32_t i = 0;
+    for (; i + kTogether <= list.size; i += kTogether) step(list.slot + i, Times<kTogether>());
+    for (; i < list.size; ++i) step(list.slot + i, Times<1>());
   }
 
   /// Starts the next ray that can hit anything, if one is left.
@@ -118,34 +124,79 @@ class SpanSearch {
     return false;
   }
 
-  /// Puts the children that are met on the stack, from far to near.
-  [[gnu::always_inline]] static void StepIntoNode(Search<L>* search) {
+  /// Puts the children that are met on the stacks of so many rays, from far to near. Two at once
+  /// have no part that waits for the other's.
+  template <uint32_t kCount>
+  [[gnu::always_inline]] void StepIntoNodes(const uint8_t* slots) {
     using F = typename L::Node;
-    const auto& node = *reinterpret_cast<const WideNode<L::kWidth>*>(search->records +
-                                                                     search->current.reference);
-    const Slabs& slabs = search->space.slabs;
-    const auto hits =
-        TestBoxes(WideSlabs<F>(slabs), slabs, node, F::Broadcast(search->nearest.t));
-    NodeStack& stack = search->stack;
-    const F child = F::Load(reinterpret_cast<const float*>(node.child));
-    const uint32_t bits = hits.mask.Bits();
-    const auto count = static_cast<uint32_t>(std::popcount(bits));
-    StackEntry* const top = stack.entry + stack.size;
-    if constexpr (L::kWidth == 8) {
-      const auto order = OrderFarToNear(hits.entry, hits.mask);
-      StorePairs(Permute(child, order), Permute(hits.entry, order), top);
-    } else {
-      if (count > 8) [[unlikely]] {
-        const NextChild next = OrderChildren<L::kWidth, false>(bits, hits.entry, node.child,
-                                                               search->records, &stack);
-        stack.entry[stack.size++] = MakeEntry(next.entry, next.reference);
-        return;
-      }
-      const auto entry = Compact(hits.entry, hits.mask);
-      const auto order = OrderFarToNear(entry, L::Leaf::Mask::FromBits((1u << count) - 1));
-      StorePairs(Permute(Compact(child, hits.mask), order), Permute(entry, order), top);
+    Search<L>* search[kCount];
+    const WideNode<L::kWidth>* node[kCount];
+    F entry[kCount];
+    typename F::Mask mask[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      search[k] = &slots_[slots[k]].search;
+      node[k] = reinterpret_cast<const WideNode<L::kWidth>*>(search[k]->records +
+                                                             search[k]->current.reference);
+      const Slabs& slabs = search[k]->space.slabs;
+      const auto hits =
+          TestBoxes(WideSlabs<F>(slabs), slabs, *node[k], F::Broadcast(search[k]->nearest.t));
+      entry[k] = hits.entry;
+      mask[k] = hits.mask;
     }
-    stack.size += count;
+    uint32_t count[kCount];
+    typename L::Leaf near[kCount], child[kCount];
+    typename L::Index order[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      const uint32_t bits = mask[k].Bits();
+      count[k] = static_cast<uint32_t>(std::popcount(bits));
+      const F children = F::Load(reinterpret_cast<const float*>(node[k]->child));
+      if constexpr (L::kWidth == 8) {
+        near[k] = entry[k];
+        child[k] = children;
+        order[k] = OrderFarToNear(near[k], mask[k]);
+      } else {
+        if (count[k] > 8) [[unlikely]] {
+          NodeStack* stack = &search[k]->stack;
+          const NextChild next = OrderChildren<L::kWidth, false>(
+              bits, entry[k], node[k]->child, search[k]->records, stack);
+          stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
+          count[k] = 0;
+        }
+        near[k] = Compact(entry[k], mask[k]);
+        child[k] = Compact(children, mask[k]);
+        order[k] = OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
+      }
+    }
+    for (uint32_t k = 0; k < kCount; ++k) {
+      NodeStack& stack = search[k]->stack;
+      StorePairs(Permute(child[k], order[k]), Permute(near[k], order[k]),
+                 stack.entry + stack.size);
+      stack.size += count[k];
+    }
+  }
+
+  /// Tests the leaves of so many rays.
+  template <uint32_t kCount>
+  [[gnu::always_inline]] void TestLeaves(const uint8_t* slots) {
+    alignas(64) float areas[kCount][3][8];
+    uint32_t candidates[kCount];
+    for (uint32_t k = 0; k < kCount; ++k) {
+      const Search<L>& search = slots_[slots[k]].search;
+      const TriangleLeaf& leaf = CurrentLeaf(search);
+      candidates[k] = TestEdges<L>(search.space.sheared, leaf, leaf.vertex, areas[k]);
+    }
+    for (uint32_t k = 0; k < kCount; ++k) {
+      Search<L>* search = &slots_[slots[k]].search;
+      const TriangleLeaf& leaf = CurrentLeaf(*search);
+      const bool is_over = FinishTriangles<L, kAny, false>(
+          candidates[k], areas[k], leaf, leaf.vertex, search->current.entry, search);
+      if (kAny && is_over) search->stack.size = 0;
+    }
+  }
+
+  static const TriangleLeaf& CurrentLeaf(const Search<L>& search) {
+    return *reinterpret_cast<const TriangleLeaf*>(search.records +
+                                                  RecordOf(search.current.reference));
   }
 
   const GroupData& group_;

@@ -45,15 +45,14 @@ template <class L>
   return {vertex[0][index], vertex[1][index], vertex[2][index]};
 }
 
-/// Tests the triangles of a leaf whose vertices are `vertex`, and which the ray enters at `entry`.
-/// True when a search for any hit is over.
+/// Takes the hits among triangles `bits` of a leaf, whose areas are known, and whose vertices are
+/// `vertex`. The ray enters the leaf at `entry`. True when a search for any hit is over.
 template <class L, bool kAny, bool kChecked>
-[[gnu::always_inline]] inline bool TestTriangles(const TriangleLeaf& leaf,
-                                                 const float (*vertex)[8], float entry,
-                                                 Search<L>* search) {
-  alignas(32) float areas[3][8];
+[[gnu::always_inline]] inline bool FinishTriangles(uint32_t bits, const float (*areas)[8],
+                                                   const TriangleLeaf& leaf,
+                                                   const float (*vertex)[8], float entry,
+                                                   Search<L>* search) {
   const ShearedRay& ray = search->space.sheared;
-  uint32_t bits = TestEdges<L>(ray, leaf, vertex, areas);
   while (bits != 0) {
     const int lane = std::countr_zero(bits);
     bits &= bits - 1;
@@ -71,6 +70,15 @@ template <class L, bool kAny, bool kChecked>
     if (search->Offer(hit.t, hit.u, hit.v, leaf.item, primitive) && kAny) return true;
   }
   return false;
+}
+
+template <class L, bool kAny, bool kChecked>
+[[gnu::always_inline]] inline bool TestTriangles(const TriangleLeaf& leaf,
+                                                 const float (*vertex)[8], float entry,
+                                                 Search<L>* search) {
+  alignas(32) float areas[3][8];
+  const uint32_t bits = TestEdges<L>(search->space.sheared, leaf, vertex, areas);
+  return FinishTriangles<L, kAny, kChecked>(bits, areas, leaf, vertex, entry, search);
 }
 
 /// The vertices of a leaf at a time between two of its steps.

@@ -77,9 +77,16 @@ Differences Compare(std::span<const HitRecord> hits, std::span<const HitRecord> 
   return differences;
 }
 
-bool IsSame(const HitRecord& a, const HitRecord& b) {
-  return a.t == b.t && a.u == b.u && a.v == b.v && a.object == b.object &&
-         a.primitive == b.primitive && std::ranges::equal(a.nested, b.nested);
+/// Records that are not the same bits.
+uint64_t CountOthers(std::span<const HitRecord> hits, std::span<const HitRecord> right) {
+  uint64_t count = 0;
+  for (size_t i = 0; i < hits.size(); ++i) {
+    const HitRecord &a = hits[i], &b = right[i];
+    const bool same = a.t == b.t && a.u == b.u && a.v == b.v && a.object == b.object &&
+                      a.primitive == b.primitive && std::ranges::equal(a.nested, b.nested);
+    if (!same) ++count;
+  }
+  return count;
 }
 
 }  // namespace
@@ -100,16 +107,12 @@ Agreement CompareModes(const Tracers& tracers, std::span<const Ray> rays, bool a
   const std::vector<HitRecord> right = AllHits(tracers[kEmbreeRobust], rays, any_hit);
   const std::vector<HitRecord> single = AllHits(tracers[kOurSingle], rays, any_hit);
   Agreement agreement;
-  std::vector<bool> differs(rays.size());
   for (size_t mode = 0; mode < kModes; ++mode) {
     const std::vector<HitRecord> hits = AllHits(tracers[mode], rays, any_hit);
     agreement.from_robust[mode] = Compare(hits, right);
-    if (mode != kOurBatch && mode != kOurPacket) continue;
-    for (size_t i = 0; i < rays.size(); ++i) {
-      if (!IsSame(hits[i], single[i])) differs[i] = true;
-    }
+    if (mode == kOurBatch) agreement.batch_from_single = CountOthers(hits, single);
+    if (mode == kOurPacket) agreement.packet_from_single = CountOthers(hits, single);
   }
-  agreement.between_ours = static_cast<uint64_t>(std::ranges::count(differs, true));
   return agreement;
 }
 

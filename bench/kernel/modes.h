@@ -50,8 +50,8 @@ struct Differences {
 /// The answers to a set of rays compared: of each mode with those of Embree's robust mode.
 struct Agreement {
   std::array<Differences, kModes> from_robust = {};
-  /// Rays that our modes give different bits for in the same tree.
-  uint64_t between_ours = 0;
+  /// Rays that our lists give other bits for than our single rays do, in the same tree.
+  uint64_t batch_from_single = 0, packet_from_single = 0;
 };
 Agreement CompareModes(const Tracers& tracers, std::span<const Ray> rays, bool any_hit);
 

@@ -27,7 +27,8 @@ ordered_json ToJson(const SetResult& set) {
           {"rays", set.rays},
           {"seconds", ByName(kModeNames, set.seconds)},
           {"differences_from_robust", from_robust},
-          {"differences_between_our_modes", set.agreement.between_ours}};
+          {"differences_of_batch_from_single", set.agreement.batch_from_single},
+          {"differences_of_packet_from_single", set.agreement.packet_from_single}};
 }
 
 ordered_json ToJson(const SceneResult& scene) {

@@ -12,6 +12,7 @@ bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHi
   const bool has_positive = area_a > 0 || area_b > 0 || area_c > 0;
   if (has_negative == has_positive) return false;  // Outside; or all 0: seen edge-on.
   const double sum = area_a + area_b + area_c;
+  if (!std::isfinite(sum)) return false;  // Differences of the largest floats are not finite.
   hit->u = static_cast<float>(area_b / sum);
   hit->v = static_cast<float>(area_c / sum);
 

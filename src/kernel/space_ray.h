@@ -62,13 +62,17 @@ struct SpaceRay {
   [[gnu::always_inline]] void SetAxis(int axis, float origin, float direction, bool is_usual,
                                       float farthest) {
     float slope = 1 / direction;
+    float least_slack = std::numeric_limits<float>::min();  // Roundings of tiny numbers.
     if (!(is_usual && std::abs(slope) <= kUsualSlope)) [[unlikely]] {
-      // As steep as the coordinates allow: a ray along a slab then leaves it practically never.
+      // As steep as the coordinates allow. A ray along a slab would then leave it early, in the plane
+      // of a face at once: let it stay as long as anything can be away. (Finite, since the boxes of
+      // children that are not there are infinite. Coordinates beyond 1e37 are too far.)
       const float steepest = 1e37f / std::max(1.0f, farthest);
       slope = std::copysign(std::min(std::abs(slope), steepest), direction);
+      least_slack = std::min(4 * (farthest / std::abs(sheared.direction[sheared.kz])), 8e37f);
     }
     const float offset = origin * slope;
-    const float slack = std::abs(offset) * kOffsetSlack;
+    const float slack = std::abs(offset) * kOffsetSlack + least_slack;
     slabs.near_scale[axis] = slope * (1 - kScaleSlack);
     slabs.far_scale[axis] = slope * (1 + kScaleSlack);
     slabs.near_offset[axis] = offset + slack;

@@ -106,15 +106,18 @@ class PacketSearch {
     for (int axis = 0; axis < 3; ++axis) {
       float o_low = origin_[axis][0], o_high = o_low;
       float s_low = near_scale_[axis][0], s_high = s_low;
+      float slack = 0;
       for (int i = 0; i < kRays; ++i) {
+        slack = std::max(slack, (near_offset_[axis][i] - far_offset_[axis][i]) /
+                                    std::abs(near_scale_[axis][i]));
         o_low = std::min(o_low, origin_[axis][i]);
         o_high = std::max(o_high, origin_[axis][i]);
         s_low = std::min(s_low, near_scale_[axis][i]);
         s_high = std::max(s_high, near_scale_[axis][i]);
         nearest_t_min_ = std::min(nearest_t_min_, t_min_[i]);
       }
-      o_low -= std::abs(o_low) * kOriginSlack;
-      o_high += std::abs(o_high) * kOriginSlack;
+      o_low -= std::abs(o_low) * kOriginSlack + slack;
+      o_high += std::abs(o_high) * kOriginSlack + slack;
       const bool is_negative = s_high < 0;
       frustum_.near_origin[axis] = is_negative ? o_low : o_high;
       frustum_.far_origin[axis] = is_negative ? o_high : o_low;

@@ -16,7 +16,7 @@ namespace candela::kernel {
 template <class L, bool kAny>
 class SpanSearch {
  public:
-  static constexpr uint32_t kInFlight = 20;
+  static constexpr uint32_t kInFlight = 24;
   /// Rays that take a step together: their instructions do not wait for each other's.
   static constexpr uint32_t kTogether = 4;
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "kernel/group.h"
+#include "tests/kernel/test_mesh.h"
+
+namespace candela::test {
+
+/// What a group is made of, in a form that owns everything, that a group can be built from, and
+/// that can be searched without one.
+struct GroupDescription {
+  struct Instance {
+    std::shared_ptr<const GroupDescription> group;
+    std::vector<Mat4> world_from_group;
+  };
+  struct Item {
+    std::variant<std::monostate, std::shared_ptr<const TestMesh>,
+                 std::shared_ptr<const PrimitiveSet>, Instance>
+        content;
+    uint32_t mask = kAnyRay;
+    std::shared_ptr<const HitFilter> filter;
+  };
+  std::vector<Item> items;
+
+  void Add(TestMesh mesh) {
+    items.push_back({std::make_shared<TestMesh>(std::move(mesh)), kAnyRay, nullptr});
+  }
+};
+
+GroupDescription OfMesh(TestMesh mesh);
+
+/// The input of a group; builds the groups inside, each of them once.
+Result<GroupInput> InputOf(const GroupDescription& description, const BuildOptions& options);
+
+Result<std::unique_ptr<Group>> Build(const GroupDescription& description,
+                                     const BuildOptions& options);
+
+/// The same, where it has to succeed.
+std::unique_ptr<Group> MustBuild(const GroupDescription& description, const BuildOptions& options);
+
+/// `Group::Intersect` without a tree: looks at everything, in the order of the indices, and
+/// computes each hit as `geometry/triangle.h` and the sets do.
+bool IntersectAll(const GroupDescription& description, const Ray& ray, HitRecord* hit);
+
+}  // namespace candela::test

@@ -10,7 +10,6 @@ void FindFirstHits(const Scene& scene, std::span<const Vec2> image_points,
   rays.reserve(image_points.size());
   for (const Vec2 image_point : image_points) {
     rays.push_back(scene.camera().GenerateRay(image_point));
-    rays.back().mask = kCameraRay;
   }
   std::vector<HitRecord> hits(rays.size());
   scene.Intersect(RayOrder::kCoherent, rays, hits);

@@ -110,9 +110,8 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   paths.Clear();
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
-    Ray ray = scene_.camera().GenerateRay(request.image_point);
-    ray.mask = kCameraRay;
-    paths.Add({i, Sampler(seed_, request.x, request.y, request.index)}, ray);
+    paths.Add({i, Sampler(seed_, request.x, request.y, request.index)},
+              scene_.camera().GenerateRay(request.image_point));
   }
   batch->rays.camera += samples.size();
 

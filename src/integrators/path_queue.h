@@ -30,7 +30,8 @@ struct PathQueue {
   }
 
   void FindHits(const Scene& scene, RayOrder order) {
-    hits.assign(Size(), HitRecord());
+    static constexpr HitRecord kFarAway;
+    hits.assign(Size(), kFarAway);
     scene.Intersect(order, rays, hits);
   }
 

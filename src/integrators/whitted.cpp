@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "integrators/path_queue.h"
 #include "integrators/ray_story.h"
@@ -28,13 +29,21 @@ float Highlight(float cosine, float shininess) {
   return cosine > 0 ? Pow(cosine, shininess) : (shininess > 0 ? 0.0f : Pow(0.0f, shininess));
 }
 
-/// The ray that a light's shadow at `p` depends on.
-Ray ShadowRay(Vec3 p, const LightSample& light) {
-  Ray ray(p + light.direction * kOffset, light.direction);
-  ray.mask = kShadowRay;
-  // A hit exactly as far as the light counts. The distance is that of the unmoved point.
-  if (light.distance < ray.t_max) ray.t_max = std::nextafter(light.distance, ray.t_max);
-  return ray;
+/// A ray that leaves a point. Written in place, member by member: a ray that is made elsewhere and
+/// copied would wait for its own members to be stored.
+void StartRay(Vec3 p, Vec3 direction, RayKind kind, float t_max, Ray* ray) {
+  ray->origin = p + direction * kOffset;
+  ray->t_min = 0;
+  ray->direction = direction;
+  ray->t_max = t_max;
+  ray->mask = kind;
+}
+
+/// Where shadow rays to a light end. A hit exactly as far as the light counts. The distance is that
+/// of the unmoved point.
+float ShadowLimit(float distance) {
+  constexpr float kFarthest = std::numeric_limits<float>::max();
+  return distance < kFarthest ? std::nextafter(distance, kFarthest) : kFarthest;
 }
 
 /// A sample on its way.
@@ -108,9 +117,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   PathQueue<Path>& paths = batch->paths;
   paths.Clear();
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    Ray ray = scene_.camera().GenerateRay(samples[i].image_point);
-    ray.mask = kCameraRay;
-    paths.Add({i}, ray);
+    paths.Add({i}, scene_.camera().GenerateRay(samples[i].image_point));
   }
   batch->rays.camera += samples.size();
 
@@ -172,7 +179,9 @@ void WhittedIntegrator::AddLight(const Light& light, RayOrder order, Batch* batc
   if (shadows_) {
     batch->shadow_rays.resize(count);
     for (size_t i = 0; i < count; ++i) {
-      batch->shadow_rays[i] = ShadowRay(batch->shadings[i].surface.p, batch->light_samples[i]);
+      const LightSample& sample = batch->light_samples[i];
+      StartRay(batch->shadings[i].surface.p, sample.direction, kShadowRay,
+               ShadowLimit(sample.distance), &batch->shadow_rays[i]);
     }
     batch->rays.shadow += count;
     scene_.Occluded(order, batch->shadow_rays, batch->is_shadowed);
@@ -234,9 +243,7 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
     observer->OnReflection(specular);
     const Vec3 reflected = Mirrored(paths.rays[i].direction, shading.surface.n_shading);
     paths.states[left] = path;
-    paths.rays[left] = Ray(shading.surface.p + reflected * kOffset, reflected);
-    paths.rays[left].mask = kReflectionRay;
-    ++left;
+    StartRay(shading.surface.p, reflected, kReflectionRay, Ray().t_max, &paths.rays[left++]);
   }
   paths.Shorten(left);
   batch->rays.reflection += left;

@@ -17,6 +17,9 @@ namespace candela {
 /// Holds what is known while a scene is compiled.
 class SceneCompiler {
  public:
+  /// So many triangles are copied for each object rather than shared, all copies together.
+  static constexpr uint64_t kFewTriangles = 1000;
+
   SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
       : spec_(spec), diagnostics_(*diagnostics), scene_(new Scene(spec.camera)) {}
 
@@ -170,7 +173,9 @@ class SceneCompiler {
   }
 
   /// Moves the triangles of meshes that one object has into the world, where rays need no way to
-  /// the object. Those that several objects have stay as they are, however many these may be.
+  /// the object. Those that several objects have stay as they are, however many these may be,
+  /// unless they are small: a ray is through with a few triangles before it would have come to
+  /// them.
   void BakeMeshes() {
     std::map<const Shape*, size_t> users;
     for (const SceneObject& object : scene_->objects_) ++users[object.shape.get()];
@@ -179,7 +184,8 @@ class SceneCompiler {
     for (size_t i = 0; i < scene_->objects_.size(); ++i) {
       SceneObject& object = scene_->objects_[i];
       if (object.shape->Triangles()) {
-        object.is_instance = users[object.shape.get()] > 1;
+        const size_t copies = users[object.shape.get()];
+        object.is_instance = copies > 1 && copies * object.shape->PrimitiveCount() > kFewTriangles;
         if (!object.is_instance && !Bake(places_[i], &object)) continue;
       }
       if (left != i) {

@@ -31,6 +31,15 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   return world;
 }
 
+Bounds3 Scene::Bounds() const {
+  Bounds3 bounds;
+  for (const SceneObject& object : objects_) {
+    const Bounds3 box = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
+    if (box.IsFinite()) bounds.Extend(box);
+  }
+  return bounds;
+}
+
 uint64_t Scene::MemoryBytes() const {
   uint64_t bytes = sizeof *this + tree_.MemoryBytes();
   std::set<const Shape*> counted;

@@ -57,7 +57,7 @@ class Scene {
   const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
 
   /// The box around all bounded objects.
-  Bounds3 Bounds() const { return tree_.group->Bounds(); }
+  Bounds3 Bounds() const;
   /// What finds the hits.
   const SceneTree& tree() const { return tree_; }
   /// What objects share counts once.

@@ -24,9 +24,12 @@ struct SceneObject {
   std::string description;    ///< For people: type and line in the scene file.
 
   Ray ToObject(const Ray& ray) const {
-    Ray local = ray;
-    local.origin = object_from_world.Point(ray.origin);
-    local.direction = object_from_world.Vector(ray.direction);
+    // Member by member: a copy of the whole would wait until the last of them has been stored.
+    Ray local(object_from_world.Point(ray.origin), object_from_world.Vector(ray.direction));
+    local.t_min = ray.t_min;
+    local.t_max = ray.t_max;
+    local.time = ray.time;
+    local.mask = ray.mask;
     return local;
   }
 };

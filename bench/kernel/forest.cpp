@@ -99,7 +99,7 @@ BenchScene Forest(double triangles) {
                               Mat4::Rotate(0, random.Between(-8, 8)) *
                               Mat4::Scale({scale, scale, scale}));
   }
-  scene.view = {{-120, GroundHeight(-120, -120) + 18, -120}, {0, 0, 0}, 50};
+  scene.view = {{-120, GroundHeight(-120, -120) + 18, -120}, {-88, 0, -88}, 50};
   scene.light = {{-40, 60, -40}, 5};
   return scene;
 }

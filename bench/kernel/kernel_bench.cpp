@@ -28,6 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kName = "kernel_bench";
+constexpr const char* kDocument = "docs/performance.md";
 
 struct BenchOptions {
   MeasureOptions measure;
@@ -138,7 +139,22 @@ Result<void> MeasureAll(const BenchOptions& options, BenchResult* result) {
   return {};
 }
 
+/// Finds out what cannot work before the long part.
+Result<void> CheckFiles(const BenchOptions& options) {
+  for (const fs::path& file : options.files) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+      return Error{ErrorCode::kInput, file.string() + ": no such file"};
+    }
+  }
+  if (options.json) {
+    if (auto writable = CheckOutput(*options.json); !writable) return writable;
+  }
+  return options.update ? CheckOutput(kDocument) : Result<void>();
+}
+
 Result<void> Run(BenchOptions options) {
+  if (auto checked = CheckFiles(options); !checked) return checked;
   if (options.measure.sets.empty()) options.measure.sets.assign(kRaySets.begin(), kRaySets.end());
   if (options.no_build) options.measure.builds = 0;
   options.measure.side = std::stoi(options.side);
@@ -153,7 +169,7 @@ Result<void> Run(BenchOptions options) {
     if (auto written = WriteOutput(*options.json, Json(result)); !written) return written;
   }
   if (!options.update) return {};
-  return UpdateDocument("docs/performance.md", "kernel bench", tables);
+  return UpdateDocument(kDocument, "kernel bench", tables);
 }
 
 int Main(std::span<const char* const> words) {
@@ -178,7 +194,7 @@ int Main(std::span<const char* const> words) {
   parser.Option("repetitions", {Whole("N", &options.measure.repetitions, 1, 1000)},
                 "of each measurement, the best counts; the default is 7");
   parser.Option("threads", {Whole("N", &options.threads, 1, 256)},
-                "for builds; the default is 2; rays have one thread");
+                "for builds; the default is 2, and 1 counts CPU time; rays have one thread");
   parser.Group("Results");
   parser.Option("json", {File("FILE", &options.json)}, "write everything there");
   parser.Flag("update", &options.update,

@@ -44,8 +44,8 @@ BenchScene Hairball(double triangles) {
     for (int i = 0; i < pieces; ++i) {
       const Vec3 p = line.back();
       // Hairs turn as they like, and back where they would leave the ball.
-      const float home = std::max(0.0f, Length(p) - 0.9f);
-      direction = Normalize(direction + random.Direction() * 0.25f - p * home);
+      const float home = 30 * step * std::max(0.0f, Length(p) - 0.9f);
+      direction = Normalize(direction + random.Direction() * std::sqrt(2 * step) - p * home);
       line.push_back(p + direction * step);
     }
     AddTube(line, 0.004f, 3, &scene.mesh);
@@ -174,7 +174,8 @@ Result<BenchScene> ReadScene(const std::filesystem::path& path) {
   Diagnostics diagnostics;
   const std::shared_ptr<const MeshSpec> spec = LoadObj(path, {}, &diagnostics);
   if (!spec) {
-    return Error{ErrorCode::kInput, fmt::format("{}", fmt::join(diagnostics.Lines(), "\n"))};
+    return Error{ErrorCode::kInput, fmt::format("{} cannot be read\n{}", path.string(),
+                                                fmt::join(diagnostics.Lines(), "\n"))};
   }
   if (spec->triangles.empty()) {
     return Error{ErrorCode::kInput, path.string() + ": there are no triangles"};

@@ -36,6 +36,9 @@ struct Tracer {
 };
 using Tracers = std::array<Tracer, kModes>;
 
+/// CPU time of all threads of this process so far.
+double CpuSeconds();
+
 /// Best CPU time of each mode for all rays, in seconds. In each repetition every mode has its turn.
 /// `any_hit`: asks whether the rays hit anything.
 std::array<double, kModes> TimeModes(const Tracers& tracers, std::span<const Ray> rays,
@@ -44,7 +47,7 @@ std::array<double, kModes> TimeModes(const Tracers& tracers, std::span<const Ray
 /// How often answers differ.
 struct Differences {
   uint64_t hit_or_miss = 0;
-  uint64_t t = 0;  ///< Where both hit, by more than 1e-4 of it.
+  uint64_t t = 0;  ///< Where both hit: by more than 1e-4 of it, and rounding in instances.
 };
 
 /// The answers to a set of rays compared: of each mode with those of Embree's robust mode.

@@ -9,9 +9,11 @@ GroupItem MeshItem(const TriangleMesh& mesh) {
   return {.content = TriangleInput{mesh.positions, mesh.triangles}};
 }
 
-Result<std::shared_ptr<const Group>> BuildGroup(GroupInput input, BuildQuality quality) {
+Result<std::shared_ptr<const Group>> BuildGroup(GroupInput input, BuildQuality quality,
+                                                int width) {
   BuildOptions options;
   options.quality = quality;
+  options.width = width;
   Result<std::unique_ptr<Group>> group = Group::Build(std::move(input), options);
   if (!group) return group.error();
   return std::shared_ptr<const Group>(std::move(*group));
@@ -19,18 +21,18 @@ Result<std::shared_ptr<const Group>> BuildGroup(GroupInput input, BuildQuality q
 
 }  // namespace
 
-Result<OurGroup> OurGroup::Build(const BenchScene& scene, BuildQuality quality) {
+Result<OurGroup> OurGroup::Build(const BenchScene& scene, BuildQuality quality, int width) {
   OurGroup ours;
   GroupInput input = {MeshItem(scene.mesh)};
   if (!scene.instances.empty()) {
-    auto part = BuildGroup({MeshItem(scene.part)}, quality);
+    auto part = BuildGroup({MeshItem(scene.part)}, quality, width);
     if (!part) return part.error();
     ours.part_ = *part;
     for (const Mat4& world_from_part : scene.instances) {
       input.push_back({.content = InstanceInput{ours.part_, {world_from_part}}});
     }
   }
-  auto group = BuildGroup(std::move(input), quality);
+  auto group = BuildGroup(std::move(input), quality, width);
   if (!group) return group.error();
   ours.group_ = *group;
   return ours;

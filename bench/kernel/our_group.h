@@ -13,8 +13,8 @@ namespace candela {
 /// A scene in our kernel.
 class OurGroup {
  public:
-  /// Builds on all threads.
-  static Result<OurGroup> Build(const BenchScene& scene, BuildQuality quality);
+  /// Builds on all threads; nodes have `width` children.
+  static Result<OurGroup> Build(const BenchScene& scene, BuildQuality quality, int width = 8);
 
   /// Of the trees alone.
   uint64_t MemoryBytes() const;

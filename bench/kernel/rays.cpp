@@ -123,8 +123,10 @@ Result<std::vector<Ray>> MakeRays(RaySet set, const BenchScene& scene, const Emb
   rays.reserve(count);
   for (uint32_t round = 0; rays.size() < count; ++round) {
     if (round == kRounds) {
-      return Error{ErrorCode::kInput, fmt::format("{}: too few paths lead to rays of the kind {}",
-                                                  scene.name, RaySetName(set))};
+      return Error{ErrorCode::kInput,
+                   fmt::format("hardly any path leads to a ray of the set '{}'; choose others "
+                               "with --rays",
+                               RaySetName(set))};
     }
     for (uint32_t pixel = 0; pixel < count && rays.size() < count; ++pixel) {
       Random random(Hash(round, pixel));

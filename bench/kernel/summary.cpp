@@ -26,7 +26,8 @@ std::optional<double> Speed(const SceneResult& scene) {
 std::optional<double> BestShadowMode(const SceneResult& scene) {
   const auto single = Speed<RaySet::kShadow, kOurSingle, kEmbreeMedium>(scene);
   const auto batch = Speed<RaySet::kShadow, kOurBatch, kEmbreeMedium>(scene);
-  return single ? std::optional(std::max(*single, *batch)) : std::nullopt;
+  const auto packet = Speed<RaySet::kShadow, kOurPacket, kEmbreeMedium>(scene);
+  return single ? std::optional(std::max({*single, *batch, *packet})) : std::nullopt;
 }
 
 std::optional<double> Memory(const SceneResult& scene) {

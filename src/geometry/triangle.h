@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <utility>
 
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
@@ -15,26 +14,38 @@ namespace candela {
 struct ShearedRay {
   Vec3 origin, direction;
   int kx = 0, ky = 1, kz = 2;  ///< The axes in a new order; z is the one that the ray follows most.
+  float origin_x = 0, origin_y = 0, origin_z = 0;  ///< The origin in that order.
   float shear_x = 0, shear_y = 0;
 
   ShearedRay() = default;
   explicit ShearedRay(const Ray& ray) { Set(ray.origin, ray.direction); }
 
+  /// Without branches, which would follow no pattern for rays of all directions.
   [[gnu::always_inline]] void Set(Vec3 new_origin, Vec3 new_direction) {
     origin = new_origin;
     direction = new_direction;
-    kz = LargestAxis(direction);
-    kx = kz == 2 ? 0 : kz + 1;
-    ky = kx == 2 ? 0 : kx + 1;
-    if (direction[kz] < 0) std::swap(kx, ky);  // Keeps the winding.
-    shear_x = -(direction[kx] / direction[kz]);
-    shear_y = -(direction[ky] / direction[kz]);
+    const float o[3] = {origin.x, origin.y, origin.z};
+    const float d[3] = {direction.x, direction.y, direction.z};
+    const float x = std::abs(d[0]), y = std::abs(d[1]), z = std::abs(d[2]);
+    const int y_is_larger = !(x >= y);
+    const int z_is_largest = !((x >= y ? x : y) >= z);
+    kz = y_is_larger + z_is_largest * (2 - y_is_larger);
+    // The axes that follow it; against the axis in the other order, which keeps the winding.
+    static constexpr int kFollowing[2][3][2] = {{{1, 2}, {2, 0}, {0, 1}}, {{2, 1}, {0, 2}, {1, 0}}};
+    const auto& following = kFollowing[d[kz] < 0][kz];
+    kx = following[0];
+    ky = following[1];
+    origin_x = o[kx];
+    origin_y = o[ky];
+    origin_z = o[kz];
+    shear_x = -(d[kx] / d[kz]);
+    shear_y = -(d[ky] / d[kz]);
   }
 
   /// Where the ray's line meets the plane through `p` is the origin of these coordinates.
   Vec2 Shear(Vec3 p) const {
-    const Vec3 to_p = p - origin;
-    return {to_p[kx] + to_p[kz] * shear_x, to_p[ky] + to_p[kz] * shear_y};
+    const float to_z = p[kz] - origin_z;
+    return {(p[kx] - origin_x) + to_z * shear_x, (p[ky] - origin_y) + to_z * shear_y};
   }
 };
 

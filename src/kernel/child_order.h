@@ -15,7 +15,7 @@ template <int W>
   for (int line = 0; line < bytes; line += 64) __builtin_prefetch(address + line);
 }
 
-/// What is looked at next. Its distance stays apart from the reference, which is known earlier and
+/// What a search looks at next. Its distance stays apart from the reference, which is known earlier and
 /// is what the next load waits for.
 struct NextChild {
   Reference reference;
@@ -71,6 +71,22 @@ template <int W, bool kPrefetch, class F>
   stack->size += count - 1;
   const StackEntry nearest = base[count - 1];
   return {ReferenceOf(nearest), EntryOf(nearest)};
+}
+
+/// The same without an order, for searches that any hit ends.
+template <int W, class F>
+[[gnu::always_inline]] inline NextChild KeepChildren(uint32_t bits, F entries,
+                                                     const Reference* child,
+                                                     const Record* records, NodeStack* stack) {
+  alignas(64) float entry[F::kCount];
+  entries.Store(entry);
+  const int first = std::countr_zero(bits);
+  for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
+    const int lane = std::countr_zero(bits);
+    PrefetchRecord<W>(records, child[lane]);
+    stack->entry[stack->size++] = MakeEntry(entry[lane], child[lane]);
+  }
+  return {child[first], entry[first]};
 }
 
 }  // namespace candela::kernel

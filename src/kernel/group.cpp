@@ -12,9 +12,12 @@
 namespace candela {
 namespace {
 
-const kernel::TraceFunctions& FunctionsOf(Isa isa) {
+const kernel::TraceFunctions& FunctionsOf(Isa isa, int width) {
+  CHECK(width == 8 || (width == 16 && isa == Isa::kAvx512));
 #ifdef CANDELA_X86
-  if (isa == Isa::kAvx512) return kernel::kAvx512Functions;
+  if (isa == Isa::kAvx512) {
+    return width == 8 ? kernel::kAvx512Functions : kernel::kAvx512x16Functions;
+  }
   if (isa == Isa::kAvx2) return kernel::kAvx2Functions;
 #endif
   CHECK(isa == Isa::kScalar);
@@ -39,9 +42,9 @@ const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the
 }  // namespace
 
 Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions& options) {
-  const kernel::TraceFunctions& functions = FunctionsOf(options.isa);
+  const kernel::TraceFunctions& functions = FunctionsOf(options.isa, options.width);
   try {
-    auto data = kernel::BuildGroup(input, options.quality, functions.width, options.cancel);
+    auto data = kernel::BuildGroup(input, options.quality, options.width, options.cancel);
     if (!data) return data.error();
     data->isa = options.isa;
     data->trace = &functions;

@@ -70,7 +70,11 @@ void Finish(Search<L>* search) {
         const uint32_t bits = hits.mask.Bits();
         is_missed = bits == 0;
         if (is_missed) break;
-        next = OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, records, stack);
+        if constexpr (kAny) {
+          next = KeepChildren<L::kWidth>(bits, hits.entry, node.child, records, stack);
+        } else {
+          next = OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, records, stack);
+        }
       }
       if (is_missed) continue;
 

@@ -36,7 +36,7 @@ class PacketSearch {
       stack.entry[0] = stack.entry[--stack.size];
       Finish<L, kAny>(&search_[i]);
     });
-    if (kAny) ForEach(active_, [&](int i) { RetireIfDone(i); });
+    if (kAny) ForEach(active_, [&](int i) { UpdateLimit(i); });
     if (active_ == 0) return;
     records_ = group.records.data();
     Gather();
@@ -47,7 +47,7 @@ class PacketSearch {
   using P = typename L::Packet;
   using F = typename L::Node;
   static constexpr int kWidth = L::kWidth;
-  static constexpr int kFewRays = 3;  ///< So many are quicker one by one.
+  static constexpr int kFewRays = 1;  ///< So many are quicker one by one.
 
   /// A child of a node, and the distance before which no ray of the packet enters it.
   struct Entry {
@@ -59,10 +59,6 @@ class PacketSearch {
   template <class Function>
   [[gnu::always_inline]] static void ForEach(uint32_t bits, Function function) {
     for (; bits != 0; bits &= bits - 1) function(std::countr_zero(bits));
-  }
-
-  void RetireIfDone(int i) {
-    if (search_[i].HasHit()) active_ &= ~(1u << i);
   }
 
   bool IsCoherent() const {
@@ -102,22 +98,18 @@ class PacketSearch {
 
     // Bounds on origins and reciprocals, wider than the slack of any ray.
     constexpr float kOriginSlack = 3e-6f, kSlopeSlack = 2e-6f;
-    nearest_t_min_ = t_min_[first];
+    nearest_t_min_ = Least(t_min_);
     for (int axis = 0; axis < 3; ++axis) {
-      float o_low = origin_[axis][0], o_high = o_low;
-      float s_low = near_scale_[axis][0], s_high = s_low;
-      float slack = 0;
-      for (int i = 0; i < kRays; ++i) {
-        slack = std::max(slack, (near_offset_[axis][i] - far_offset_[axis][i]) /
-                                    std::abs(near_scale_[axis][i]));
-        o_low = std::min(o_low, origin_[axis][i]);
-        o_high = std::max(o_high, origin_[axis][i]);
-        s_low = std::min(s_low, near_scale_[axis][i]);
-        s_high = std::max(s_high, near_scale_[axis][i]);
-        nearest_t_min_ = std::min(nearest_t_min_, t_min_[i]);
-      }
-      o_low -= std::abs(o_low) * kOriginSlack + slack;
-      o_high += std::abs(o_high) * kOriginSlack + slack;
+      alignas(64) float slack[kRays];
+      const P scale = P::Load(near_scale_[axis]);
+      ((P::Load(near_offset_[axis]) - P::Load(far_offset_[axis])) /
+       Max(scale, P::Broadcast(0) - scale))
+          .Store(slack);
+      const float most_slack = Greatest(slack);
+      float o_low = Least(origin_[axis]), o_high = Greatest(origin_[axis]);
+      const float s_low = Least(near_scale_[axis]), s_high = Greatest(near_scale_[axis]);
+      o_low -= std::abs(o_low) * kOriginSlack + most_slack;
+      o_high += std::abs(o_high) * kOriginSlack + most_slack;
       const bool is_negative = s_high < 0;
       frustum_.near_origin[axis] = is_negative ? o_low : o_high;
       frustum_.far_origin[axis] = is_negative ? o_high : o_low;
@@ -126,10 +118,23 @@ class PacketSearch {
     }
   }
 
-  void UpdateFarthest() {
-    farthest_ = limit_[0];
-    for (int i = 1; i < kRays; ++i) farthest_ = std::max(farthest_, limit_[i]);
+  /// The least and the greatest of sixteen numbers, halving by halving, which compilers turn into
+  /// instructions for several lanes.
+  template <class Pick>
+  [[gnu::always_inline]] static float Reduce(const float (&all)[kRays], Pick pick) {
+    float half[8], quarter[4];
+    for (int i = 0; i < 8; ++i) half[i] = pick(all[i], all[i + 8]);
+    for (int i = 0; i < 4; ++i) quarter[i] = pick(half[i], half[i + 4]);
+    return pick(pick(quarter[0], quarter[1]), pick(quarter[2], quarter[3]));
   }
+  static float Least(const float (&all)[kRays]) {
+    return Reduce(all, [](float a, float b) { return a < b ? a : b; });
+  }
+  static float Greatest(const float (&all)[kRays]) {
+    return Reduce(all, [](float a, float b) { return a > b ? a : b; });
+  }
+
+  void UpdateFarthest() { farthest_ = Greatest(limit_); }
 
   /// The children that some ray may meet.
   [[gnu::always_inline]] BoxHits<F> TestFrustum(const WideNode<kWidth>& node) const {
@@ -184,21 +189,24 @@ class PacketSearch {
     }
     if (KindOf(reference) == RecordKind::kTriangles && std::popcount(rays) > kFewRays) {
       TestLeaf(*reinterpret_cast<const TriangleLeaf*>(records_ + RecordOf(reference)), rays);
-    } else {
-      ForEach(rays, [&](int i) {
-        NodeStack& stack = search_[i].stack;
-        stack.entry[stack.size++] = MakeEntry(entry_[i], reference);
-        Finish<L, kAny>(&search_[i]);
-      });
+      return;
     }
-    ForEach(rays, [&](int i) { limit_[i] = search_[i].nearest.t; });
-    if (kAny) {
-      ForEach(rays, [&](int i) {
-        RetireIfDone(i);
-        if ((active_ >> i & 1) == 0) limit_[i] = -1;
-      });
-    }
+    ForEach(rays, [&](int i) {
+      NodeStack& stack = search_[i].stack;
+      stack.entry[stack.size++] = MakeEntry(entry_[i], reference);
+      Finish<L, kAny>(&search_[i]);
+      UpdateLimit(i);
+    });
     UpdateFarthest();
+  }
+
+  /// Takes over what ray i has found; in a search for any hit it is done then.
+  void UpdateLimit(int i) {
+    limit_[i] = search_[i].nearest.t;
+    if (kAny && search_[i].HasHit()) {
+      active_ &= ~(1u << i);
+      limit_[i] = -1;
+    }
   }
 
   void PushChildren(const WideNode<kWidth>& node) {
@@ -231,6 +239,7 @@ class PacketSearch {
       ((P::Broadcast(leaf.vertex[kx][i]) - origin_x) + to_z * shear_x).Store(x[i]);
       ((P::Broadcast(leaf.vertex[ky][i]) - origin_y) + to_z * shear_y).Store(y[i]);
     }
+    bool has_changed = false;
     ForEach(leaf.lanes, [&](int lane) {
       const uint32_t a = leaf.Corner(0, lane), b = leaf.Corner(1, lane), c = leaf.Corner(2, lane);
       const P ax = P::Load(x[a]), ay = P::Load(y[a]);
@@ -242,7 +251,7 @@ class PacketSearch {
       const P zero = P::Broadcast(0);
       const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
                             (zero < Max(Max(area_a, area_b), area_c));
-      const uint32_t candidates = rays & ~is_mixed.Bits();
+      const uint32_t candidates = rays & (kAny ? active_ : ~0u) & ~is_mixed.Bits();
       if (candidates == 0) return;
       alignas(64) float areas[3][kRays];
       area_a.Store(areas[0]);
@@ -255,13 +264,16 @@ class PacketSearch {
         TriangleHit hit;
         if (!FinishTriangle(search.space.sheared, corner_a, corner_b, corner_c,
                             {areas[0][i], areas[1][i], areas[2][i]}, &hit) ||
-            !search.Counts(entry_[i], &hit.t)) {
+            !search.Counts(entry_[i], &hit.t) ||
+            !search.Offer(hit.t, hit.u, hit.v, leaf.item,
+                          &search.group->triangle_ids[leaf.first + static_cast<uint32_t>(lane)])) {
           return;
         }
-        search.Offer(hit.t, hit.u, hit.v, leaf.item,
-                     &search.group->triangle_ids[leaf.first + static_cast<uint32_t>(lane)]);
+        has_changed = true;
+        UpdateLimit(i);
       });
     });
+    if (has_changed) UpdateFarthest();
   }
 
   uint32_t active_ = 0;  ///< Bit i: ray i still looks for hits.

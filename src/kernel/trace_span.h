@@ -145,15 +145,14 @@ class SpanSearch {
     }
     uint32_t count[kCount];
     typename L::Leaf near[kCount], child[kCount];
-    typename L::Index order[kCount];
     for (uint32_t k = 0; k < kCount; ++k) {
       const uint32_t bits = mask[k].Bits();
       count[k] = static_cast<uint32_t>(std::popcount(bits));
       const F children = F::Load(reinterpret_cast<const float*>(node[k]->child));
       if constexpr (L::kWidth == 8) {
-        near[k] = entry[k];
-        child[k] = children;
-        order[k] = OrderFarToNear(near[k], mask[k]);
+        const auto order = OrderFarToNear(entry[k], mask[k]);
+        near[k] = Permute(entry[k], order);
+        child[k] = Permute(children, order);
       } else {
         if (count[k] > 8) [[unlikely]] {
           NodeStack* stack = &search[k]->stack;
@@ -164,13 +163,16 @@ class SpanSearch {
         }
         near[k] = Compact(entry[k], mask[k]);
         child[k] = Compact(children, mask[k]);
-        order[k] = OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
+        if (kAny) continue;  // Whatever is hit ends the search: the order counts for little.
+        const auto order =
+            OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
+        near[k] = Permute(near[k], order);
+        child[k] = Permute(child[k], order);
       }
     }
     for (uint32_t k = 0; k < kCount; ++k) {
       NodeStack& stack = search[k]->stack;
-      StorePairs(Permute(child[k], order[k]), Permute(near[k], order[k]),
-                 stack.entry + stack.size);
+      StorePairs(child[k], near[k], stack.entry + stack.size);
       stack.size += count[k];
     }
   }

@@ -15,10 +15,10 @@ template <class L>
 [[gnu::always_inline]] inline uint32_t TestEdges(const ShearedRay& ray, const TriangleLeaf& leaf,
                                                  const float (*vertex)[8], float (*areas)[8]) {
   using F = typename L::Leaf;
-  const F to_z = F::Load(vertex[ray.kz]) - F::Broadcast(ray.origin[ray.kz]);
-  const F x = (F::Load(vertex[ray.kx]) - F::Broadcast(ray.origin[ray.kx])) +
+  const F to_z = F::Load(vertex[ray.kz]) - F::Broadcast(ray.origin_z);
+  const F x = (F::Load(vertex[ray.kx]) - F::Broadcast(ray.origin_x)) +
               to_z * F::Broadcast(ray.shear_x);
-  const F y = (F::Load(vertex[ray.ky]) - F::Broadcast(ray.origin[ray.ky])) +
+  const F y = (F::Load(vertex[ray.ky]) - F::Broadcast(ray.origin_y)) +
               to_z * F::Broadcast(ray.shear_y);
 
   const auto corner_a = L::Index::Unpack(leaf.corner[0]);

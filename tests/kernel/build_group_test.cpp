@@ -172,6 +172,12 @@ TEST_P(BuildGroupOf, TrianglesThatAreNeverHitAreLeftOut) {
   ExpectTree({mesh.Item()}, {1, 5});
 }
 
+bool SameBytes(const GroupData& a, const GroupData& b) {
+  return a.records.size() == b.records.size() && a.triangle_ids == b.triangle_ids &&
+         a.root == b.root && a.bounds == b.bounds &&
+         std::memcmp(a.records.data(), b.records.data(), a.records.size() * sizeof(Record)) == 0;
+}
+
 TEST_P(BuildGroupOf, TheSameBytesForAnyNumberOfThreads) {
   for (const Mesh& mesh : {Terrain(200), Soup(50'000, 1)}) {
     std::vector<GroupData> groups;
@@ -180,12 +186,7 @@ TEST_P(BuildGroupOf, TheSameBytesForAnyNumberOfThreads) {
       groups.push_back(Build({mesh.Item()}));
     }
     for (const GroupData& other : {std::cref(groups[1]), std::cref(groups[2])}) {
-      ASSERT_EQ(groups[0].records.size(), other.records.size());
-      EXPECT_EQ(std::memcmp(groups[0].records.data(), other.records.data(),
-                            other.records.size() * sizeof(Record)),
-                0);
-      EXPECT_EQ(groups[0].triangle_ids, other.triangle_ids);
-      EXPECT_EQ(groups[0].root, other.root);
+      EXPECT_TRUE(SameBytes(groups[0], other));
     }
   }
 }
@@ -256,6 +257,65 @@ TEST_P(BuildGroupOf, StopsWhenCancelled) {
   const auto result = BuildGroup({mesh.Item()}, GetParam().quality, GetParam().width, &cancel);
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, ErrorCode::kStopped);
+}
+
+TEST_P(BuildGroupOf, RefittingToTheSamePositionsChangesNothing) {
+  const Mesh mesh = Terrain(50);
+  const GroupInput input = {mesh.Item()};
+  GroupData group = Build(input);
+  const GroupData before = Build(input);
+  ASSERT_TRUE(RefitGroup(input, &group).ok());
+  EXPECT_TRUE(SameBytes(group, before));
+}
+
+TEST_P(BuildGroupOf, RefittingFollowsWhatMoves) {
+  Mesh resting = Soup(2000, 1), moving = Terrain(20);
+  moving.positions.insert(moving.positions.end(), moving.positions.begin(), moving.positions.end());
+  moving.steps = 2;
+  const BoxSet boxes(50, 1);
+  const GroupInput input = {resting.Item(), moving.Item(), {PrimitiveInput{&boxes}}};
+  GroupData group = Build(input);
+  UniformNumbers random(7);
+  for (Mesh* mesh : {&resting, &moving}) {
+    for (Vec3& p : mesh->positions) p = p * 2 + RandomPoint(&random) * 0.1f;
+  }
+  ASSERT_TRUE(RefitGroup(input, &group).ok());
+  const TreeCheck check(input, group, true);
+  EXPECT_EQ(check.Problems(), "");
+  EXPECT_EQ(check.Found().size(), 2800u + 36u);
+}
+
+// They were found to be the same vertex.
+TEST_P(BuildGroupOf, RefittingFailsWhenVerticesOfTheSamePositionMoveApart) {
+  Mesh mesh{{{0, 0, 0},
+             {1, 0, 0},
+             {0, 1, 0},
+             {1, 0, 0},
+             {0, 1, 0},
+             {1, 1, 0},
+             {1, 0, 0},
+             {2, 0, 0},
+             {1, 1, 0}},
+            {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}}};
+  const GroupInput input = {mesh.Item()};
+  GroupData group = Build(input);
+  ASSERT_EQ(KindOf(group.root), RecordKind::kTriangles);
+  for (Vec3& p : mesh.positions) p.z = 1;
+  EXPECT_TRUE(RefitGroup(input, &group).ok());
+  mesh.positions[6].z = 2;
+  const Result<void> result = RefitGroup(input, &group);
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().code, ErrorCode::kUsage);
+  EXPECT_LT(group.bounds.max.z, 1.5f);  // Nothing was changed.
+}
+
+TEST_P(BuildGroupOf, RefittingFailsForOtherItems) {
+  const Mesh mesh = Terrain(10);
+  const BoxSet boxes(50, 1);
+  GroupData group = Build({mesh.Item()});
+  EXPECT_FALSE(RefitGroup({}, &group).ok());
+  EXPECT_FALSE(RefitGroup({{PrimitiveInput{&boxes}}}, &group).ok());
+  EXPECT_FALSE(RefitGroup({Terrain(9).Item()}, &group).ok());
 }
 
 INSTANTIATE_TEST_SUITE_P(Variants, BuildGroupOf,

@@ -106,9 +106,11 @@ GroupDescription UnboundedPrimitives(size_t count) {
 struct Scene {
   const char* name;
   std::function<GroupDescription()> make;
+  /// Coordinates beyond 1e37: differences of them and distances may not be floats, and hits may be
+  /// lost. What is found is finite all the same.
+  bool is_too_large = false;
 };
 
-/// Closed meshes, by the way of the most useful ones.
 const std::vector<Scene>& Scenes() {
   static const std::vector<Scene> scenes = {
       // Little or nothing.
@@ -348,14 +350,17 @@ const std::vector<Scene>& Scenes() {
 
       // Very large, very small.
       {"Coordinates1e30", [] { return SoupWith([](float x) { return x * 1e30f; }); }},
-      {"CoordinatesNearTheLargest", [] { return SoupWith([](float x) { return x * 1e38f; }); }},
+      {"Coordinates1e36", [] { return SoupWith([](float x) { return x * 1e36f; }); }},
+      {"CoordinatesNearTheLargest", [] { return SoupWith([](float x) { return x * 1e38f; }); },
+       true},
       {"TheLargestFloats",
        [] {
          return LooseGroup(4, [](uint32_t i) {
            const float s = i % 2 == 0 ? kLargest : -kLargest;
            return Corners{{{s, -kLargest, i < 2 ? s : 1}, {s, kLargest, 0}, {-s, 0, kLargest}}};
          });
-       }},
+       },
+       true},
       {"Coordinates1e-30", [] { return SoupWith([](float x) { return x * 1e-30f; }); }},
       {"SmallestNormalFloats", [] { return SoupWith([](float x) { return x * kSmallest; }); }},
       {"Denormals", [] { return SoupWith([](float x) { return x * 1e-42f; }); }},
@@ -598,7 +603,8 @@ std::vector<Ray> RaysThrough(const GroupDescription& group, size_t count) {
 class Degenerate : public testing::TestWithParam<size_t> {};
 
 TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
-  const GroupDescription description = Scenes()[GetParam()].make();
+  const Scene& scene = Scenes()[GetParam()];
+  const GroupDescription description = scene.make();
   const Extent extent = ExtentOf(description);
   const bool is_large = extent.primitives > 50'000;
   const std::vector<Ray> rays = RaysThrough(description, is_large ? 8 : 300);
@@ -618,7 +624,8 @@ TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
       int wrong = 0;
       for (size_t i = 0; i < rays.size(); ++i) {
         const bool is_right =
-            IsSame(hits[i], right[i]) && occluded[i] == static_cast<uint8_t>(right[i].IsHit());
+            scene.is_too_large ||
+            (IsSame(hits[i], right[i]) && occluded[i] == static_cast<uint8_t>(right[i].IsHit()));
         const bool is_finite =
             std::isfinite(hits[i].t) && std::isfinite(hits[i].u) && std::isfinite(hits[i].v);
         if ((is_right && is_finite) || ++wrong > 1) continue;

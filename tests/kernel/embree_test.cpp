@@ -2,7 +2,9 @@
 #include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
@@ -135,7 +137,26 @@ std::vector<Ray> RaysThrough(float reach, UniformNumbers* random) {
   return rays;
 }
 
-void ExpectSameHits(const TestMesh& mesh, float reach) {
+/// How near a ray comes to an edge of the mesh.
+double DistanceToEdges(const TestMesh& mesh, const Ray& ray) {
+  const Vec3d o = ToDouble(ray.origin), d = Normalize(ToDouble(ray.direction));
+  double least = 1e30;
+  for (const auto& triangle : mesh.triangles) {
+    for (size_t i = 0; i < 3; ++i) {
+      const Vec3d p = ToDouble(mesh.positions[triangle[i]]) - o;
+      const Vec3d edge = ToDouble(mesh.positions[triangle[(i + 1) % 3]]) - o - p;
+      // Without what lies along the ray, in the plane across it: the distance of a segment from 0.
+      const Vec3d a = p - d * Dot(p, d), along = edge - d * Dot(edge, d);
+      const double part = std::clamp(-Dot(a, along) / LengthSquared(along), 0.0, 1.0);
+      least = std::min(least, Length(a + along * part));
+    }
+  }
+  return least;
+}
+
+/// At most `most_differ` rays may hit in one and miss in the other: those that touch an edge of a
+/// silhouette within rounding.
+void ExpectSameHits(const TestMesh& mesh, float reach, size_t most_differ) {
   UniformNumbers random(3);
   const std::vector<Ray> rays = RaysThrough(reach, &random);
   const EmbreeScene embree(mesh);
@@ -152,12 +173,16 @@ void ExpectSameHits(const TestMesh& mesh, float reach) {
       size_t differ = 0, farther = 0, other = 0;
       for (size_t i = 0; i < rays.size(); ++i) {
         const bool is_hit = right[i].t < rays[i].t_max;
-        differ += hits[i].IsHit() != is_hit || (occluded[i] != 0) != is_hit;
+        if (hits[i].IsHit() != is_hit) {
+          ++differ;
+          EXPECT_LT(DistanceToEdges(mesh, rays[i]), 2e-7) << ToString(rays[i]);
+        }
+        EXPECT_EQ(occluded[i] != 0, hits[i].IsHit());
         if (!is_hit || !hits[i].IsHit()) continue;
         farther += std::abs(hits[i].t - right[i].t) > 1e-3f * right[i].t;
         other += hits[i].primitive != right[i].primitive;
       }
-      EXPECT_EQ(differ, 0u) << ToString(options) << ", " << ToString(entry);
+      EXPECT_LE(differ, most_differ) << ToString(options) << ", " << ToString(entry);
       std::printf(
           "%s, %s: %zu of %zu rays hit, %zu differ; %zu at another distance, %zu another "
           "triangle\n",
@@ -170,11 +195,12 @@ void ExpectSameHits(const TestMesh& mesh, float reach) {
 }
 
 TEST(Embree, HitsTheSameInARoom) {
-  ExpectSameHits(Room(), 0.95f);
+  ExpectSameHits(Room(), 0.95f, 0);
 }
 
+// Thin tubes are all silhouette: 5 of 1e6 rays touch an edge.
 TEST(Embree, HitsTheSameInAHairball) {
-  ExpectSameHits(Hairball(), 2);
+  ExpectSameHits(Hairball(), 2, kRays / 100'000);
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ std::vector<BuildOptions> AllBuildOptions() {
   std::vector<BuildOptions> all;
   for (const Isa isa : SupportedIsas()) {
     for (const BuildQuality quality : {BuildQuality::kFast, BuildQuality::kBest}) {
-      all.push_back({quality, isa, nullptr});
+      all.push_back({quality, isa, nullptr, 8});
+      if (isa == Isa::kAvx512) all.push_back({quality, isa, nullptr, 16});
     }
   }
   return all;
@@ -70,7 +71,8 @@ std::string ToString(const Ray& ray) {
 
 std::string ToString(const BuildOptions& options) {
   return std::string(IsaName(options.isa)) +
-         (options.quality == BuildQuality::kFast ? " fast" : " best");
+         (options.quality == BuildQuality::kFast ? " fast" : " best") +
+         (options.width == 16 ? ", nodes of 16" : "");
 }
 
 std::string ToString(Entry entry) {

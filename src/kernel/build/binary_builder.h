@@ -8,7 +8,8 @@
 namespace candela::kernel {
 
 struct BinaryOptions {
-  bool down_to_one = false;  ///< Whether leaves are single fragments; else what fits a leaf.
+  /// Whether triangles may be split, as far as there is room for their pieces.
+  bool split_triangles = false;
   /// From this depth on ranges are halved, which adds at most the logarithm of their size.
   uint32_t halving_depth = 64;
   const CancelToken* cancel = nullptr;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace candela::kernel {
 
@@ -19,10 +20,8 @@ BinMapping::BinMapping(const Box4& centers, uint32_t fragments)
 
 void Bins::Clear(int count) {
   bins_ = count;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::fill_n(box_[axis], bins_, Box4{});
-    std::fill_n(count_[axis], bins_, 0u);
-  }
+  for (int axis = 0; axis < 3; ++axis) std::fill_n(box_[axis], bins_, Box4{});
+  std::fill_n(&count_[0][0], 4 * bins_, 0);
 }
 
 void Bins::Add(const Fragment* begin, const Fragment* end, const BinMapping& mapping) {
@@ -31,44 +30,67 @@ void Bins::Add(const Fragment* begin, const Fragment* end, const BinMapping& map
     const Int4 bin = __builtin_convertvector(mapping.Position(fragment->Center()), Int4);
     for (int axis = 0; axis < 3; ++axis) {
       box_[axis][bin[axis]].Extend(box);
-      ++count_[axis][bin[axis]];
+      ++count_[bin[axis]][axis];
     }
   }
 }
 
 void Bins::Merge(const Bins& other) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int i = 0; i < bins_; ++i) {
+  for (int i = 0; i < bins_; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
       box_[axis][i].Extend(other.box_[axis][i]);
-      count_[axis][i] += other.count_[axis][i];
+      count_[i][axis] += other.count_[i][axis];
     }
   }
 }
 
 ObjectSplit Bins::FindSplit(float area_scale) const {
+  // All axes at once. One sweep from the right keeps the cost of each right side, one from the left
+  // adds its own. The area of nothing times 0 is a NaN, which is not less than anything.
+  const Float4 scale = Splat(area_scale);
+  Float4 right_cost[kMostBins];
+  Box4 box[3];
+  Int4 count = {0, 0, 0, 0};
+  for (int i = bins_ - 1; i > 0; --i) {
+    for (int axis = 0; axis < 3; ++axis) box[axis].Extend(box_[axis][i]);
+    count += CountsOf(i);
+    right_cost[i] =
+        HalfAreas(box[0], box[1], box[2], scale) * __builtin_convertvector(count, Float4);
+  }
+  Float4 best_cost = Splat(Bounds3::kInfinity);
+  Int4 best_bin = {0, 0, 0, 0};
+  for (Box4& each : box) each = Box4{};
+  count = Int4{0, 0, 0, 0};
+  for (int i = 1; i < bins_; ++i) {
+    for (int axis = 0; axis < 3; ++axis) box[axis].Extend(box_[axis][i - 1]);
+    count += CountsOf(i - 1);
+    const Float4 cost =
+        HalfAreas(box[0], box[1], box[2], scale) * __builtin_convertvector(count, Float4) +
+        right_cost[i];
+    const Int4 is_better = cost < best_cost;
+    best_cost = is_better ? cost : best_cost;
+    best_bin = is_better ? Int4{i, i, i, i} : best_bin;
+  }
   ObjectSplit best;
   for (int axis = 0; axis < 3; ++axis) {
-    // One sweep from the right keeps the cost of each right side, one from the left adds its own.
-    // The area of nothing times 0 is a NaN, which is not less than anything.
-    float right_cost[kMostBins];
-    Box4 box;
-    uint32_t count = 0;
-    for (int i = bins_ - 1; i > 0; --i) {
-      box.Extend(box_[axis][i]);
-      count += count_[axis][i];
-      right_cost[i] = box.HalfArea(area_scale) * static_cast<float>(count);
-    }
-    box = Box4{};
-    count = 0;
-    for (int i = 1; i < bins_; ++i) {
-      box.Extend(box_[axis][i - 1]);
-      count += count_[axis][i - 1];
-      const float cost = box.HalfArea(area_scale) * static_cast<float>(count) + right_cost[i];
-      if (cost < best.cost) best = {cost, axis, i, count, box, Box4{}};
-    }
+    if (!(best_cost[axis] < best.cost)) continue;
+    best.cost = best_cost[axis];
+    best.axis = axis;
+    best.bin = best_bin[axis];
   }
-  for (int i = best.bin; best.IsFound() && i < bins_; ++i) best.right.Extend(box_[best.axis][i]);
+  if (!best.IsFound()) return best;
+  for (int i = 0; i < best.bin; ++i) {
+    best.left.Extend(box_[best.axis][i]);
+    best.left_count += static_cast<uint32_t>(count_[i][best.axis]);
+  }
+  for (int i = best.bin; i < bins_; ++i) best.right.Extend(box_[best.axis][i]);
   return best;
+}
+
+Int4 Bins::CountsOf(int bin) const {
+  Int4 counts;
+  std::memcpy(&counts, count_[bin], sizeof(counts));
+  return counts;
 }
 
 }  // namespace candela::kernel

@@ -49,8 +49,10 @@ class Bins {
   ObjectSplit FindSplit(float area_scale) const;
 
  private:
+  Int4 CountsOf(int bin) const;
+
   Box4 box_[3][kMostBins];
-  uint32_t count_[3][kMostBins];
+  int32_t count_[kMostBins][4];  ///< By bin and axis: a bin is a register.
   int bins_ = 0;
 };
 

@@ -17,6 +17,12 @@ struct Box4 {
     low = Min(low, point);
     high = Max(high, point);
   }
+  void ExtendIf(bool condition, Float4 point) {
+    const int32_t all = condition ? -1 : 0;
+    const Int4 mask = {all, all, all, all};
+    low = Min(low, mask ? point : low);
+    high = Max(high, mask ? point : high);
+  }
   void Extend(const Box4& other) {
     low = Min(low, other.low);
     high = Max(high, other.high);
@@ -32,6 +38,18 @@ struct Box4 {
     return product[0] + product[1] + product[2];
   }
 };
+
+/// `HalfArea` of three boxes, in the first three lanes.
+inline Float4 HalfAreas(const Box4& a, const Box4& b, const Box4& c, Float4 scale) {
+  const Float4 ea = (a.high - a.low) * scale, eb = (b.high - b.low) * scale;
+  const Float4 ec = (c.high - c.low) * scale;
+  const Float4 ab_xy = __builtin_shufflevector(ea, eb, 0, 4, 1, 5);
+  const Float4 ab_z = __builtin_shufflevector(ea, eb, 2, 6, 3, 7);
+  const Float4 x = __builtin_shufflevector(ab_xy, ec, 0, 1, 4, 7);
+  const Float4 y = __builtin_shufflevector(ab_xy, ec, 2, 3, 5, 7);
+  const Float4 z = __builtin_shufflevector(ab_z, ec, 0, 1, 6, 7);
+  return x * y + y * z + z * x;
+}
 
 /// A power of two that takes the largest extent of a box to about 1.
 inline float AreaScale(const Box4& box) {

@@ -14,6 +14,9 @@
 namespace candela::kernel {
 namespace {
 
+/// Room for pieces of triangles: so many times the number of triangles.
+constexpr double kGrowth = 1.6;
+
 /// A binary tree, and what becomes of it.
 struct ChosenNodes {
   BinaryTree tree;
@@ -29,22 +32,24 @@ class GroupBuilder {
 
   Result<GroupData> Build() {
     if (const Result<void> facts = CopyFacts(); !facts) return facts.error();
-    FragmentList lists[2];
-    for (int i = 0; i < 2; ++i) {
-      lists[i] = CollectFragments(items_, i == 1, 1, cancel_);
-      group_.bounds.Extend(lists[i].bounds);
-    }
     // Usually the first tree is it. One that a search would need a large stack for is built again,
     // flatter: at last simply halved, down from the root.
-    const uint32_t most = std::max(lists[0].count, lists[1].count);
-    const auto levels = static_cast<uint32_t>(std::bit_width(most));
+    FragmentList lists[2];
     uint32_t need = 0;
-    for (const uint32_t halving_depth : {64 + levels, levels + 8, 0u}) {
+    for (int attempt = 0; attempt < 3; ++attempt) {
+      for (int i = 0; i < 2; ++i) {
+        lists[i] = CollectFragments(items_, i == 1, SplitsTriangles(i) ? kGrowth : 1, cancel_);
+      }
+      const uint32_t most = std::max(lists[0].count, lists[1].count);
+      const auto levels = static_cast<uint32_t>(std::bit_width(most));
+      const uint32_t halving_depth = attempt == 0 ? 64 : attempt == 1 ? levels + 8 : 0;
       const Result<uint32_t> result = BuildTrees(lists, halving_depth);
       if (!result) return result.error();
       need = *result;
       if (need <= kMostTreeStack) break;
     }
+    group_.bounds = lists[0].bounds;
+    group_.bounds.Extend(lists[1].bounds);
     CHECK(need <= kMostTreeStack);
     WriteUnbounded(lists);
     return std::move(group_);
@@ -81,12 +86,15 @@ class GroupBuilder {
       if (lists[i].count == 0) continue;
       BinaryOptions options;
       options.halving_depth = halving_depth;
-      options.down_to_one = quality_ == BuildQuality::kBest;
+      options.split_triangles = SplitsTriangles(i);
       options.cancel = cancel_;
       nodes[i].tree = BuildBinaryTree(items_, &lists[i], options);
-      Collapse& collapse = nodes[i].collapse.emplace(items_, &nodes[i].tree, cancel_);
-      if (options.down_to_one) collapse.JoinLeaves();
-      if (!options.down_to_one || group_.width != 8) collapse.ChooseNodes(group_.width);
+      Collapse& collapse = nodes[i].collapse.emplace(&nodes[i].tree, cancel_);
+      if (halving_depth > 0) {
+        collapse.ChooseNodes(group_.width);
+      } else {
+        collapse.ChooseEvenly();
+      }
       trees[i] = {&nodes[i].tree, &collapse};
       present[i] = &trees[i];
     }
@@ -96,6 +104,9 @@ class GroupBuilder {
     }
     return EmitTrees(items_, present[0], present[1], UnboundedRecords(lists), cancel_, &group_);
   }
+
+  /// Only of what rests: the pieces of a moving triangle would have to be cut at all times.
+  bool SplitsTriangles(int list) const { return quality_ == BuildQuality::kBest && list == 0; }
 
   uint32_t UnboundedRecords(const FragmentList* lists) const {
     uint32_t primitives = 0, records = 0;

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "kernel/build/triangle_packer.h"
 
 namespace candela::kernel {
 namespace {
@@ -36,12 +35,12 @@ struct Collapse::Costs {
   double in[kWidth + 1];
 };
 
-Collapse::Collapse(const std::vector<BuildItem>& items, BinaryTree* tree, const CancelToken* cancel)
-    : items_(items), tree_(*tree), cancel_(cancel), choice_(tree->most_pairs) {}
+Collapse::Collapse(const BinaryTree* tree, const CancelToken* cancel)
+    : tree_(*tree), cancel_(cancel), choice_(tree->most_pairs) {}
 
 double Collapse::LeafCost(uint32_t node) const {
   const BinaryNode& leaf = tree_.nodes[node];
-  switch (items_[tree_.fragments[leaf.First()].Item()].leaf) {
+  switch (leaf.Kind()) {
     case RecordKind::kPrimitives:
       return Area(leaf) * kPrimitiveCost * leaf.Count();
     case RecordKind::kInstance:
@@ -74,10 +73,7 @@ Collapse::Costs<kWidth> Collapse::Join(uint32_t node, const Costs<kWidth>& left,
     choice |= static_cast<uint64_t>(best_left) << 4 * (slots - 1);
   }
   const BinaryNode& inner = tree_.nodes[node];
-  const double as_node = Area(inner) * kNodeCost + costs.in[kWidth];
-  const double as_leaf = may_join_ ? CostOfJoining(node) : kImpossible;
-  if (as_node < as_leaf) choice |= 1;
-  costs.in[1] = std::min(as_node, as_leaf);
+  costs.in[1] = Area(inner) * kNodeCost + costs.in[kWidth];
   for (int slots = 2; slots < kWidth; ++slots) {
     if (costs.in[1] > costs.in[slots]) continue;
     costs.in[slots] = costs.in[1];
@@ -133,97 +129,23 @@ Collapse::Costs<kWidth> Collapse::CostsAbove(uint32_t node, const Costs<kWidth>*
 }
 
 void Collapse::ChooseNodes(int width) {
-  may_join_ = false;
   width == 8 ? ChooseAll<8>() : ChooseAll<16>();
 }
 
-void Collapse::JoinLeaves() {
-  may_join_ = true;
-  ChooseAll<8>();
-  JoinBelow(BinaryTree::kRoot, 1);
+void Collapse::ChooseEvenly() {
+  is_even_ = true;
 }
 
-/// What it costs when all below the node becomes one leaf.
-double Collapse::CostOfJoining(uint32_t node) const {
-  const BinaryNode& inner = tree_.nodes[node];
-  if (inner.Count() > PrimitiveLeaf::kMost) return kImpossible;
-  Entries entries;
-  CollectEntries(node, &entries);
-  const uint32_t number = entries.entry[0].Item();
-  const RecordKind kind = items_[number].leaf;
-  if (kind == RecordKind::kPrimitives) {
-    for (uint32_t i = 0; i < entries.count; ++i) {
-      if (items_[entries.entry[i].Item()].leaf != kind) return kImpossible;
-    }
-    return Area(inner) * kPrimitiveCost * entries.count;
-  }
-  if (kind == RecordKind::kInstance) return kImpossible;
-  for (uint32_t i = 0; i < entries.count; ++i) {
-    if (entries.entry[i].Item() != number) return kImpossible;
-  }
-  if (!TrianglePacker(items_[number]).Pack({entries.entry, entries.count})) return kImpossible;
-  return Area(inner) * kTriangleLeafCost;
-}
-
-/// The entries below a node, sorted, each once: two pieces of a triangle may have come together.
-void Collapse::CollectEntries(uint32_t node, Entries* entries) const {
-  CollectUnsorted(node, entries);
-  Fragment* const begin = entries->entry;
-  Fragment* const end = begin + entries->count;
-  std::sort(begin, end);
-  entries->count = static_cast<uint32_t>(std::unique(begin, end,
-                                                     [](const Fragment& a, const Fragment& b) {
-                                                       return a.Item() == b.Item() &&
-                                                              a.Primitive() == b.Primitive();
-                                                     }) -
-                                         begin);
-}
-
-void Collapse::CollectUnsorted(uint32_t node, Entries* entries) const {
-  const BinaryNode& binary = tree_.nodes[node];
-  if (!binary.IsLeaf()) {
-    CollectUnsorted(binary.Left(), entries);
-    CollectUnsorted(binary.Right(), entries);
-    return;
-  }
-  for (uint32_t i = 0; i < binary.Count(); ++i) {
-    entries->entry[entries->count++] = tree_.fragments[binary.First() + i];
-  }
-}
-
-/// Makes the leaves that were chosen below a node which has so many slots.
-void Collapse::JoinBelow(uint32_t node, int slots) {
-  BinaryNode& binary = tree_.nodes[node];
-  if (binary.IsLeaf()) return;
-  const uint64_t choice = choice_[binary.Pair()];
-  while (slots > 1 && SlotsOfLeft(choice, slots) == 0) --slots;
-  if (slots == 1) {
-    if ((choice & 1) == 0) {
-      MakeLeaf(node);
-      return;
-    }
-    slots = 8;
-  }
-  const int slots_of_left = SlotsOfLeft(choice, slots);
-  JoinBelow(binary.Left(), slots_of_left);
-  JoinBelow(binary.Right(), slots - slots_of_left);
-}
-
-void Collapse::MakeLeaf(uint32_t node) {
-  Entries entries;
-  CollectEntries(node, &entries);
-  uint32_t first = node;
-  while (!tree_.nodes[first].IsLeaf()) first = tree_.nodes[first].Left();
-  first = tree_.nodes[first].First();
-  std::copy_n(entries.entry, entries.count, tree_.fragments + first);
-  tree_.nodes[node] =
-      BinaryNode(tree_.nodes[node].Box(), first, entries.count | BinaryNode::kLeafMark);
+uint64_t Collapse::ChoiceOf(const BinaryNode& inner) const {
+  // 1 of 2 and 3 slots to the left, 2 of 4 and 5, and so on.
+  constexpr uint64_t kHalves = 0x8776655443322110;
+  return is_even_ ? kHalves : choice_[inner.Pair()];
 }
 
 int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
   const BinaryNode& binary = tree_.nodes[node];
   if (!binary.IsLeaf()) {
-    const uint64_t choice = choice_[binary.Pair()];
+    const uint64_t choice = ChoiceOf(binary);
     while (slots > 1 && SlotsOfLeft(choice, slots) == 0) --slots;
     if (slots > 1) {
       const int slots_of_left = SlotsOfLeft(choice, slots);
@@ -237,7 +159,7 @@ int Collapse::NodesInSlots(uint32_t node, int slots, uint32_t* to) const {
 
 int Collapse::ChildrenOf(uint32_t node, int width, uint32_t* to) const {
   const BinaryNode& inner = tree_.nodes[node];
-  const int slots_of_left = SlotsOfLeft(choice_[inner.Pair()], width);
+  const int slots_of_left = SlotsOfLeft(ChoiceOf(inner), width);
   const int count = NodesInSlots(inner.Left(), slots_of_left, to);
   return count + NodesInSlots(inner.Right(), width - slots_of_left, to + count);
 }

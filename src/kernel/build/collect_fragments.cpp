@@ -68,8 +68,8 @@ FragmentList CollectFragments(const std::vector<BuildItem>& items, bool moving, 
   const uint64_t total = starts.back();
   FragmentList list;
   if (total == 0) return list;
-  list.fragments =
-      PageArray<Fragment>(static_cast<size_t>(static_cast<double>(total) * growth) + 1);
+  list.capacity = static_cast<uint32_t>(static_cast<double>(total) * growth);
+  list.fragments = PageArray<Fragment>(list.capacity);
 
   std::vector<Chunk> chunks((total + kChunk - 1) / kChunk);
   ParallelFor(static_cast<int64_t>(chunks.size()), [&](int64_t number) {

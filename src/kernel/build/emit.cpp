@@ -1,6 +1,8 @@
 #include "kernel/build/emit.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <span>
 
 #include "base/parallel.h"

@@ -67,11 +67,12 @@ inline void StopWhenCancelled(const CancelToken* cancel) {
 
 /// All fragments of the items that rest, or of those that move.
 struct FragmentList {
-  PageArray<Fragment> fragments;  ///< `capacity` of them.
+  PageArray<Fragment> fragments;
   uint32_t count = 0;
-  Box4 box;        ///< Around all of them.
-  Box4 centers;    ///< Around their `Center()`.
-  Bounds3 bounds;  ///< Around all of them at all times.
+  uint32_t capacity = 0;  ///< What there is room for.
+  Box4 box;               ///< Around all of them.
+  Box4 centers;           ///< Around their `Center()`.
+  Bounds3 bounds;         ///< Around all of them at all times.
   /// What has no box, in the order of the input.
   struct Unbounded {
     uint32_t item, primitive;

@@ -27,8 +27,8 @@ enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2 };
 
 /// A sample on its way.
 struct Path {
-  uint32_t sample;  ///< Its place in the list.
-  Sampler sampler;
+  uint32_t sample = 0;  ///< Its place in the list.
+  Sampler sampler{0, 0, 0, 0};
   Spectrum radiance{};
   Spectrum throughput = Spectrum(1);
 };
@@ -107,16 +107,16 @@ void PathIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* wo
 void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
                             std::span<Spectrum> radiance) const {
   PathQueue<Path>& paths = batch->paths;
-  paths.Clear();
+  paths.Resize(samples.size());
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
-    paths.Add({i, Sampler(seed_, request.x, request.y, request.index)},
-              scene_.camera().GenerateRay(request.image_point));
+    paths.states()[i] = {i, Sampler(seed_, request.x, request.y, request.index)};
+    paths.rays()[i] = scene_.camera().GenerateRay(request.image_point);
   }
   batch->rays.camera += samples.size();
 
   RayOrder order = RayOrder::kCoherent;
-  for (uint32_t bounce = 0; paths.Size() > 0; ++bounce) {
+  for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
     FindVertices(bounce, batch, radiance);
     for (const Light* light : delta_lights_) AddLight(*light, batch);
@@ -128,18 +128,18 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
 void PathIntegrator::FindVertices(uint32_t bounce, Batch* batch,
                                   std::span<Spectrum> radiance) const {
   PathQueue<Path>& paths = batch->paths;
-  batch->vertices.resize(paths.Size());
+  const auto vertices = FirstOf(&batch->vertices, paths.size());
   size_t left = 0;
-  for (size_t i = 0; i < paths.Size(); ++i) {
-    const Ray& ray = paths.rays[i];
-    const HitRecord& hit = paths.hits[i];
-    Path& path = paths.states[i];
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const Ray& ray = paths.rays()[i];
+    const HitRecord& hit = paths.hits()[i];
+    Path& path = paths.states()[i];
     if (!hit.IsHit()) {
       radiance[path.sample] =
           path.radiance + path.throughput * scene_.background().Radiance(ray.direction);
       continue;
     }
-    Vertex& vertex = batch->vertices[left];
+    Vertex& vertex = vertices[left];
     vertex.point = scene_.SurfaceAt(ray, hit);
     vertex.wo = -Normalize(ray.direction);
     if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
@@ -156,13 +156,13 @@ void PathIntegrator::FindVertices(uint32_t bounce, Batch* batch,
     vertex.light = Spectrum();
     paths.MoveTo(left++, i);
   }
-  paths.Shorten(left);
+  paths.Resize(left);
 }
 
 void PathIntegrator::AddLight(const Light& light, Batch* batch) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
-  for (size_t i = 0; i < batch->paths.Size(); ++i) {
+  for (size_t i = 0; i < batch->paths.size(); ++i) {
     const auto& [point, wo, bsdf, sum] = batch->vertices[i];
     const LightSample sample = light.SampleIncident(point.p);
     const float cosine = Dot(bsdf.frame.z, sample.direction);
@@ -175,8 +175,8 @@ void PathIntegrator::AddLight(const Light& light, Batch* batch) const {
     batch->contributions.push_back({i, value * sample.radiance * cosine});
   }
   batch->rays.shadow += batch->shadow_rays.size();
-  batch->is_shadowed.resize(batch->shadow_rays.size());
-  scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, batch->is_shadowed);
+  scene_.Occluded(RayOrder::kScattered, batch->shadow_rays,
+                  FirstOf(&batch->is_shadowed, batch->shadow_rays.size()));
   for (size_t i = 0; i < batch->contributions.size(); ++i) {
     const Contribution& contribution = batch->contributions[i];
     if (!batch->is_shadowed[i]) batch->vertices[contribution.vertex].light += contribution.value;
@@ -187,8 +187,8 @@ void PathIntegrator::Scatter(uint32_t bounce, Batch* batch, std::span<Spectrum> 
   PathQueue<Path>& paths = batch->paths;
   const uint32_t dimension = BounceDimension(bounce) + kDirection;
   size_t left = 0;
-  for (size_t i = 0; i < paths.Size(); ++i) {
-    Path& path = paths.states[i];
+  for (size_t i = 0; i < paths.size(); ++i) {
+    Path& path = paths.states()[i];
     const Vertex& vertex = batch->vertices[i];
     path.radiance += path.throughput * vertex.light;
 
@@ -199,12 +199,12 @@ void PathIntegrator::Scatter(uint32_t bounce, Batch* batch, std::span<Spectrum> 
       radiance[path.sample] = path.radiance;
       continue;
     }
-    paths.states[left] = path;
-    paths.rays[left] = SpawnRay(vertex.point, next.wi);
-    paths.rays[left].mask = kReflectionRay;
+    paths.states()[left] = path;
+    paths.rays()[left] = SpawnRay(vertex.point, next.wi);
+    paths.rays()[left].mask = kReflectionRay;
     ++left;
   }
-  paths.Shorten(left);
+  paths.Resize(left);
   batch->rays.reflection += left;
 }
 

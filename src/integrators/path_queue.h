@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "geometry/hit_record.h"
@@ -9,50 +10,55 @@
 
 namespace candela {
 
+/// So many samples are followed together: enough to keep the memory busy, few enough to stay in the
+/// cache.
+constexpr size_t kMostTogether = 1024;
+
+/// Makes room for the first `size` entries; those behind them, and their memory, are kept for
+/// later.
+template <class T>
+std::span<T> FirstOf(std::vector<T>* list, size_t size) {
+  if (list->size() < size) list->resize(size);
+  return {list->data(), size};
+}
+
 /// Paths that are followed together, bounce by bounce. Entry i of each list belongs to the same
 /// path: what is known of it, the ray that it goes along, and where that ray ends.
 template <class State>
-struct PathQueue {
-  std::vector<State> states;
-  std::vector<Ray> rays;
-  std::vector<HitRecord> hits;
+class PathQueue {
+ public:
+  std::span<State> states() { return {states_.data(), size_}; }
+  std::span<Ray> rays() { return {rays_.data(), size_}; }
+  std::span<HitRecord> hits() { return {hits_.data(), size_}; }
+  size_t size() const { return size_; }
 
-  size_t Size() const { return states.size(); }
-
-  // Memory is kept for later.
-  void Clear() {
-    states.clear();
-    rays.clear();
-  }
-  void Add(const State& state, const Ray& ray) {
-    states.push_back(state);
-    rays.push_back(ray);
+  /// New entries are to be filled.
+  void Resize(size_t size) {
+    FirstOf(&states_, size);
+    FirstOf(&rays_, size);
+    FirstOf(&hits_, size);
+    size_ = size;
   }
 
   void FindHits(const Scene& scene, RayOrder order) {
     static constexpr HitRecord kFarAway;
-    hits.assign(Size(), kFarAway);
-    scene.Intersect(order, rays, hits);
+    for (HitRecord& hit : hits()) hit = kFarAway;
+    scene.Intersect(order, rays(), hits());
   }
 
   /// Moves an entry forward, into the place of one that has ended.
   void MoveTo(size_t to, size_t from) {
     if (to == from) return;
-    states[to] = states[from];
-    rays[to] = rays[from];
-    hits[to] = hits[from];
+    states_[to] = states_[from];
+    rays_[to] = rays_[from];
+    hits_[to] = hits_[from];
   }
 
-  /// Forgets the entries behind the first `size`.
-  void Shorten(size_t size) {
-    states.erase(states.begin() + static_cast<std::ptrdiff_t>(size), states.end());
-    rays.resize(size);
-    hits.resize(size);
-  }
+ private:
+  size_t size_ = 0;
+  std::vector<State> states_;
+  std::vector<Ray> rays_;
+  std::vector<HitRecord> hits_;
 };
-
-/// So many samples are followed together: enough to keep the memory busy, few enough to stay in the
-/// cache, and few for one picture to take memory that nobody expects.
-constexpr size_t kMostTogether = 1024;
 
 }  // namespace candela

@@ -55,24 +55,22 @@ struct Path {
 
 /// What its lights have to know of the surface that a path has met, and their sum so far.
 struct Shading {
-  SurfacePoint surface;
-  PhongTerms terms;
-  bool has_specular;
+  Vec3 p, normal;
   Vec3 eye;       ///< The unit direction that the ray came along,
   Vec3 mirrored;  ///< and that in which it goes on.
+  PhongTerms terms;
   Rgb light;
 };
 
 }  // namespace
 
-/// What is known of samples that are followed together. `shadings` and what follows belong to the
-/// paths at the same place.
+/// What is known of samples that are followed together. Entries of all lists belong to the paths at
+/// the same place; there may be more of them.
 struct WhittedIntegrator::Batch final : Workspace {
   PathQueue<Path> paths;
   std::vector<Shading> shadings;
-  std::vector<LightSample> light_samples;  ///< Of the light in work,
-  std::vector<Ray> shadow_rays;            ///< the rays towards it,
-  std::vector<uint8_t> is_shadowed;        ///< and whether something is in the way.
+  std::vector<Ray> shadow_rays;      ///< Towards the light in work,
+  std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
 };
 
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
@@ -115,18 +113,22 @@ template <class Observer>
 void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
                                std::span<Spectrum> radiance, Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
-  paths.Clear();
+  paths.Resize(samples.size());
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    paths.Add({i}, scene_.camera().GenerateRay(samples[i].image_point));
+    paths.states()[i] = {i};
+    paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
   }
   batch->rays.camera += samples.size();
 
   RayOrder order = RayOrder::kCoherent;
-  for (uint32_t bounce = 0; paths.Size() > 0; ++bounce) {
+  for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
     EndMisses(batch, radiance, observer);
     FindSurfaces(batch, observer);
-    for (const Light* light : delta_lights_) AddLight(*light, order, batch, observer);
+    for (const Light* light : delta_lights_) {
+      if (shadows_) FindShadows(*light, order, batch);
+      AddLight(*light, batch, observer);
+    }
     Reflect(bounce, batch, radiance, observer);
     order = RayOrder::kScattered;
   }
@@ -137,65 +139,62 @@ void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
                                   Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
-  for (size_t i = 0; i < paths.Size(); ++i) {
-    if (paths.hits[i].IsHit()) {
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (paths.hits()[i].IsHit()) {
       paths.MoveTo(left++, i);
       continue;
     }
-    const Path& path = paths.states[i];
-    const Rgb background = scene_.background().Radiance(paths.rays[i].direction).ToRgb();
-    observer->OnMiss(paths.rays[i], background);
+    const Path& path = paths.states()[i];
+    const Rgb background = scene_.background().Radiance(paths.rays()[i].direction).ToRgb();
+    observer->OnMiss(paths.rays()[i], background);
     radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
   }
-  paths.Shorten(left);
+  paths.Resize(left);
 }
 
 template <class Observer>
 void WhittedIntegrator::FindSurfaces(Batch* batch, Observer* observer) const {
-  const PathQueue<Path>& paths = batch->paths;
-  batch->shadings.resize(paths.Size());
-  for (size_t i = 0; i < paths.Size(); ++i) {
-    const Ray& ray = paths.rays[i];
-    Shading& shading = batch->shadings[i];
-    shading.surface = scene_.ShadingAt(ray, paths.hits[i]);
-    shading.terms = scene_.material(paths.hits[i]).Phong(shading.surface);
-    shading.has_specular = shading.terms.specular != Rgb();
+  PathQueue<Path>& paths = batch->paths;
+  const auto shadings = FirstOf(&batch->shadings, paths.size());
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const Ray& ray = paths.rays()[i];
+    const HitRecord& hit = paths.hits()[i];
+    const SurfacePoint surface = scene_.ShadingAt(ray, hit);
+    Shading& shading = shadings[i];
+    shading.p = surface.p;
+    shading.normal = surface.n_shading;
     shading.eye = Normalize(ray.direction);
-    shading.mirrored = Mirrored(shading.eye, shading.surface.n_shading);
+    shading.mirrored = Mirrored(shading.eye, surface.n_shading);
+    shading.terms = scene_.material(hit).Phong(surface);
     shading.light = Rgb();
-    observer->OnHit(ray, paths.hits[i], shading.surface.n_shading, shading.terms);
+    observer->OnHit(ray, hit, surface.n_shading, shading.terms);
   }
 }
 
+void WhittedIntegrator::FindShadows(const Light& light, RayOrder order, Batch* batch) const {
+  const size_t count = batch->paths.size();
+  const auto rays = FirstOf(&batch->shadow_rays, count);
+  for (size_t i = 0; i < count; ++i) {
+    const Vec3 p = batch->shadings[i].p;
+    const LightSample sample = light.SampleIncident(p);
+    StartRay(p, sample.direction, kShadowRay, ShadowLimit(sample.distance), &rays[i]);
+  }
+  batch->rays.shadow += count;
+  scene_.Occluded(order, rays, FirstOf(&batch->is_shadowed, count));
+}
+
 template <class Observer>
-void WhittedIntegrator::AddLight(const Light& light, RayOrder order, Batch* batch,
-                                 Observer* observer) const {
-  const size_t count = batch->shadings.size();
-  batch->light_samples.resize(count);
-  for (size_t i = 0; i < count; ++i) {
-    batch->light_samples[i] = light.SampleIncident(batch->shadings[i].surface.p);
-  }
-  batch->is_shadowed.assign(count, 0);
-  if (shadows_) {
-    batch->shadow_rays.resize(count);
-    for (size_t i = 0; i < count; ++i) {
-      const LightSample& sample = batch->light_samples[i];
-      StartRay(batch->shadings[i].surface.p, sample.direction, kShadowRay,
-               ShadowLimit(sample.distance), &batch->shadow_rays[i]);
-    }
-    batch->rays.shadow += count;
-    scene_.Occluded(order, batch->shadow_rays, batch->is_shadowed);
-  }
-  for (size_t i = 0; i < count; ++i) {
+void WhittedIntegrator::AddLight(const Light& light, Batch* batch, Observer* observer) const {
+  for (size_t i = 0; i < batch->paths.size(); ++i) {
     Shading& shading = batch->shadings[i];
-    const LightSample& sample = batch->light_samples[i];
-    const bool is_shadowed = batch->is_shadowed[i] != 0;
+    const LightSample sample = light.SampleIncident(shading.p);
+    const bool is_shadowed = shadows_ && batch->is_shadowed[i] != 0;
     Rgb diffuse, specular;
     if (!is_shadowed) {
       const Rgb intensity = sample.radiance.ToRgb();
-      const float cosine = std::max(0.0f, Dot(shading.surface.n_shading, sample.direction));
+      const float cosine = std::max(0.0f, Dot(shading.normal, sample.direction));
       diffuse = intensity * shading.terms.diffuse * cosine;
-      if (shading.has_specular) {
+      if (shading.terms.specular != Rgb()) {
         specular = intensity * shading.terms.specular *
                    Highlight(Dot(shading.mirrored, sample.direction), shading.terms.shininess);
       }
@@ -210,19 +209,22 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
                                 Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
-  for (size_t i = 0; i < paths.Size(); ++i) {
+  for (size_t i = 0; i < paths.size(); ++i) {
     const Shading& shading = batch->shadings[i];
     const Rgb specular = shading.terms.specular;
     const Rgb ambient = scene_.background().ambient_light * shading.terms.ambient;
     observer->OnAmbient(ambient);
     Rgb local = shading.light + ambient;
-    const uint32_t lamp = scene_.objects()[paths.hits[i].object].light;
+    const uint32_t lamp = scene_.objects()[paths.hits()[i].object].light;
     if (lamp != SceneObject::kNoLight) {
-      const Rgb emitted = scene_.lights()[lamp]->Emitted(shading.surface, -shading.eye).ToRgb();
+      SurfacePoint surface;
+      surface.p = shading.p;
+      surface.n_shading = shading.normal;
+      const Rgb emitted = scene_.lights()[lamp]->Emitted(surface, -shading.eye).ToRgb();
       observer->OnEmission(emitted);
       local += emitted;
     }
-    Path path = paths.states[i];
+    Path path = paths.states()[i];
     path.radiance += path.throughput * local;
     path.throughput = path.throughput * specular;
 
@@ -241,11 +243,11 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
       continue;
     }
     observer->OnReflection(specular);
-    const Vec3 reflected = Mirrored(paths.rays[i].direction, shading.surface.n_shading);
-    paths.states[left] = path;
-    StartRay(shading.surface.p, reflected, kReflectionRay, Ray().t_max, &paths.rays[left++]);
+    const Vec3 reflected = Mirrored(paths.rays()[i].direction, shading.normal);
+    paths.states()[left] = path;
+    StartRay(shading.p, reflected, kReflectionRay, Ray().t_max, &paths.rays()[left++]);
   }
-  paths.Shorten(left);
+  paths.Resize(left);
   batch->rays.reflection += left;
 }
 

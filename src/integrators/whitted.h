@@ -43,8 +43,9 @@ class WhittedIntegrator final : public Integrator {
   void EndMisses(Batch* batch, std::span<Spectrum> radiance, Observer* observer) const;
   template <class Observer>
   void FindSurfaces(Batch* batch, Observer* observer) const;
+  void FindShadows(const Light& light, RayOrder order, Batch* batch) const;
   template <class Observer>
-  void AddLight(const Light& light, RayOrder order, Batch* batch, Observer* observer) const;
+  void AddLight(const Light& light, Batch* batch, Observer* observer) const;
   template <class Observer>
   void Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
                Observer* observer) const;

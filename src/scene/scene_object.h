@@ -23,13 +23,13 @@ struct SceneObject {
   std::string type;           ///< As in the registry of shapes.
   std::string description;    ///< For people: type and line in the scene file.
 
+  /// The ray as the shape gets it for `Intersect` and `SurfaceAt`. Where it ends says the record of
+  /// the hit, and whom it sees has been decided; leaving that out saves copies that would have to
+  /// wait for what has just been stored.
   Ray ToObject(const Ray& ray) const {
-    // Member by member: a copy of the whole would wait until the last of them has been stored.
     Ray local(object_from_world.Point(ray.origin), object_from_world.Vector(ray.direction));
     local.t_min = ray.t_min;
-    local.t_max = ray.t_max;
     local.time = ray.time;
-    local.mask = ray.mask;
     return local;
   }
 };

@@ -52,9 +52,9 @@ struct Nearest {
 /// - Everything that may hold a hit not farther than `nearest.t` is the current reference, on the
 ///   stack, or below something there.
 /// - A box is left out only when its entry lies beyond `nearest.t`, or it is missed. A hit found in
-///   a leaf counts at the entry of the leaf's box when rounding put it before that. So a hit is never lost because another
-///   one was found earlier, whatever rounding did to their distances, and the answer does not
-///   depend on the order of visits.
+///   a leaf counts at the entry of the leaf's box when rounding put it before that. So a hit is
+///   never lost because another one was found earlier, whatever rounding did to their distances,
+///   and the answer does not depend on the order of visits.
 /// - References on the stack above the mark of a level belong to the group of that level.
 template <class L>
 struct Search {

@@ -39,7 +39,7 @@ int RunCheckCommand(Words words) {
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
   const auto loaded = LoadSceneForUser(*path);
-  if (!loaded) return static_cast<int>(ErrorCode::kInput);
+  if (!loaded) return static_cast<int>(loaded.error().code);
   return PrintResult(parser.program(), Summary(*path, *loaded));
 }
 

@@ -41,6 +41,14 @@ std::string BoundsRow(const Bounds3& bounds) {
   return Row("bounds", fmt::format("{} to {}", ToText(bounds.min), ToText(bounds.max)));
 }
 
+/// "0.1 MiB, 3 nodes deep, avx512".
+std::string TreeRow(const SceneTree& tree) {
+  const auto depth = static_cast<uint64_t>(tree.group->Depth());
+  return Row("tree", fmt::format("{:.1f} MiB, {} deep, {}",
+                                 static_cast<double>(tree.MemoryBytes()) / (1 << 20),
+                                 Count(depth, "node"), IsaName(tree.group->isa())));
+}
+
 std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) {
   const SceneFacts facts(loaded);
   const CameraSpec& camera = loaded.spec.camera;
@@ -61,6 +69,7 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) 
   text +=
       Row("camera", fmt::format("at {}, direction {}, up {}, {:.6g} degrees", ToText(camera.center),
                                 ToText(camera.direction), ToText(camera.up), camera.fov_degrees));
+  text += TreeRow(loaded.scene->tree());
   text += Row("memory", fmt::format("{:.1f} MiB, without pictures",
                                     static_cast<double>(loaded.scene->MemoryBytes()) / (1 << 20)));
   return text;
@@ -78,7 +87,7 @@ int RunInfoCommand(Words words) {
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
   const auto loaded = LoadSceneForUser(*path);
-  if (!loaded) return static_cast<int>(ErrorCode::kInput);
+  if (!loaded) return static_cast<int>(loaded.error().code);
   return PrintResult(parser.program(), Facts(*path, *loaded));
 }
 

@@ -72,6 +72,7 @@ class RenderCommand {
   Result<void> Finish() {
     if (const auto done = FinishSamples(); !done) return done;
     if (const auto done = CheckPixel(); !done) return done;
+    if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
     if (const auto done = FinishWindow(); !done) return done;
     request_.integrator_options.seed = request_.render.seed;
@@ -83,6 +84,7 @@ class RenderCommand {
   Result<void> FinishSamples();
   Result<void> FinishWindow();
   Result<void> CheckPixel();
+  Result<void> FinishIsa();
   PixelGrid ChooseGrid() const;
 
   RenderRequest request_;
@@ -90,7 +92,7 @@ class RenderCommand {
   CommonOptions common_;
   bool jitter_ = false;
   std::string png_bits_ = "8";
-  std::optional<std::string> filter_, grid_;
+  std::optional<std::string> filter_, grid_, isa_;
   std::optional<uint32_t> samples_;
   PixelWindow crop_;
   RenderRequest::PixelPosition pixel_{};
@@ -136,6 +138,9 @@ void RenderCommand::AddOptions() {
   parser_.Group("Work");
   parser_.Option("threads", {Whole("N", &request_.threads, 1, 1024)},
                  "threads to use (default one per processor); changes nothing in the picture");
+  parser_.Option("isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
+                 "instruction set of the search for hits: scalar, avx2 or avx512 (default the best "
+                 "that the processor knows); changes nothing in the picture");
   parser_.Flag("quiet", &request_.quiet, "show no progress");
   parser_.Flag("stats", &request_.print_stats, "print times, rays and memory to stderr");
   parser_.Option("stats-json", {File("FILE", &request_.stats_json)}, "write the same as JSON");
@@ -200,6 +205,13 @@ Result<void> RenderCommand::CheckPixel() {
   }
   request_.explain = pixel_;
   return {};
+}
+
+Result<void> RenderCommand::FinishIsa() {
+  if (!isa_) return {};
+  request_.isa = FindIsa(*isa_);
+  if (IsSupported(*request_.isa)) return {};
+  return UsageError(fmt::format("--isa: this processor does not know {}", *isa_));
 }
 
 PixelGrid RenderCommand::ChooseGrid() const {

@@ -11,7 +11,7 @@
 
 namespace candela {
 
-std::optional<LoadedScene> LoadSceneForUser(const std::filesystem::path& path) {
+Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path) {
   LoadedScene loaded;
   Diagnostics diagnostics;
   const Stopwatch load_clock;
@@ -22,7 +22,7 @@ std::optional<LoadedScene> LoadSceneForUser(const std::filesystem::path& path) {
   loaded.scene = CompileScene(loaded.spec, &diagnostics);
   loaded.build_seconds = build_clock.Seconds();
   for (const std::string& line : diagnostics.Lines()) fmt::print(stderr, "{}\n", line);
-  if (!loaded.scene) return std::nullopt;
+  if (!loaded.scene) return Error{diagnostics.Code(), {}};
   loaded.warnings = diagnostics.WarningCount();
   return loaded;
 }

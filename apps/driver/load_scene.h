@@ -2,8 +2,8 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
+#include "base/result.h"
 #include "scene/scene.h"
 #include "scene_spec/scene_spec.h"
 
@@ -18,8 +18,8 @@ struct LoadedScene {
   double build_seconds = 0;  ///< Compiling.
 };
 
-/// Reads and compiles a scene and prints its errors and warnings on stderr; nothing when there are
-/// errors.
-std::optional<LoadedScene> LoadSceneForUser(const std::filesystem::path& path);
+/// Reads and compiles a scene and prints its errors and warnings on stderr. When there are errors,
+/// the one that is returned has no message: all has been said.
+Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path);
 
 }  // namespace candela

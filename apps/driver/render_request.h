@@ -5,6 +5,7 @@
 #include <string>
 
 #include "integrators/registry.h"
+#include "kernel/isa.h"
 #include "render/render_options.h"
 
 namespace candela {
@@ -31,7 +32,8 @@ struct RenderRequest {
   IntegratorOptions integrator_options;
   RenderOptions render;
   OutputOptions output_options;
-  int threads = 0;  ///< 0: one per processor.
+  int threads = 0;         ///< 0: one per processor.
+  std::optional<Isa> isa;  ///< Nothing: the best that the processor knows.
 
   bool quiet = false;
   bool print_stats = false;

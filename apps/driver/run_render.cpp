@@ -80,9 +80,9 @@ class RenderRun {
   }
 
   Result<void> LoadScene() {
-    loaded_ = LoadSceneForUser(request_.scene);
-    // What is wrong has been printed, line by line.
-    if (!loaded_) return Error{ErrorCode::kInput, {}};
+    auto loaded = LoadSceneForUser(request_.scene);
+    if (!loaded) return loaded.error();
+    loaded_ = *std::move(loaded);
     statistics_.seconds.load = loaded_->load_seconds;
     statistics_.seconds.build = loaded_->build_seconds;
     for (const auto& input : InputFiles(loaded_->spec)) {
@@ -195,6 +195,7 @@ class RenderRun {
     statistics_.height = request_.render.crop.Height();
     statistics_.samples_per_pixel = request_.render.samples;
     statistics_.threads = ThreadCount();
+    statistics_.isa = IsaName(loaded_->scene->tree().group->isa());
     statistics_.scene_bytes = loaded_->scene->MemoryBytes();
     statistics_.peak_bytes = PeakMemory();
     if (request_.print_stats) fmt::print(stderr, "{}", StatisticsToText(statistics_));
@@ -211,6 +212,7 @@ class RenderRun {
 
 int RunRender(const RenderRequest& request) {
   const ThreadLimit threads(request.threads);
+  if (request.isa) ForceIsa(*request.isa);
   const Result<void> done = RenderRun(request).Run();
   if (done) return 0;
   // Without a message everything has been said.

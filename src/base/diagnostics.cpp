@@ -42,7 +42,8 @@ std::vector<Diagnostic> InReadingOrder(std::vector<Diagnostic> all) {
 
 }  // namespace
 
-void Diagnostics::Error(SourceLocation where, std::string text) {
+void Diagnostics::Error(SourceLocation where, std::string text, ErrorCode code) {
+  code_ = std::max(code_, code);
   Add(Severity::kError, std::move(where), std::move(text));
 }
 
@@ -59,6 +60,7 @@ void Diagnostics::Add(Severity severity, SourceLocation where, std::string text)
 
 void Diagnostics::Append(const Diagnostics& other) {
   for (const Diagnostic& each : other.kept_) Add(each.severity, each.where, each.text);
+  code_ = std::max(code_, other.code_);
   // What the other one only counted still counts here.
   for (const auto& [file, counts] : other.counts_) {
     Counts& mine = counts_[file];

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/result.h"
 #include "base/source_location.h"
 
 namespace candela {
@@ -27,7 +28,7 @@ class Diagnostics {
  public:
   static constexpr size_t kMostPerFile = 20;
 
-  void Error(SourceLocation where, std::string text);
+  void Error(SourceLocation where, std::string text, ErrorCode code = ErrorCode::kInput);
   void Warning(SourceLocation where, std::string text);
   void Append(const Diagnostics& other);
 
@@ -39,6 +40,9 @@ class Diagnostics {
   }
 
   bool HasErrors() const { return error_count_ > 0; }
+  /// What the errors are about, as the exit code of a program: the input, unless a later one of the
+  /// list of codes is among them.
+  ErrorCode Code() const { return code_; }
   size_t ErrorCount() const { return error_count_; }
   size_t WarningCount() const { return warning_count_; }
   const std::vector<Diagnostic>& All() const { return kept_; }
@@ -60,6 +64,7 @@ class Diagnostics {
 
   std::vector<Diagnostic> kept_;
   std::map<std::string, Counts> counts_;  // by file name
+  ErrorCode code_ = ErrorCode::kInput;
   size_t error_count_ = 0;
   size_t warning_count_ = 0;
 };

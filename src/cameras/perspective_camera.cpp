@@ -20,8 +20,4 @@ PerspectiveCamera::PerspectiveCamera(const CameraSpec& spec) : center_(spec.cent
   up_ = up * scale;
 }
 
-Ray PerspectiveCamera::GenerateRay(Vec2 image_point) const {
-  return {center_, Normalize(forward_ + right_ * image_point.x + up_ * image_point.y)};
-}
-
 }  // namespace candela

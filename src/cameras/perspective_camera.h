@@ -13,7 +13,11 @@ class PerspectiveCamera {
 
   /// The ray through a point of the image plane, where y goes upwards and -1 and 1 are the lower
   /// and the upper edge of the field of view; x has the same unit. The direction is a unit vector.
-  Ray GenerateRay(Vec2 image_point) const;
+  Ray GenerateRay(Vec2 image_point) const {
+    Ray ray(center_, Normalize(forward_ + right_ * image_point.x + up_ * image_point.y));
+    ray.mask = kCameraRay;
+    return ray;
+  }
 
  private:
   Vec3 center_;

@@ -1,12 +1,23 @@
 #include "integrators/first_hit.h"
 
+#include <vector>
+
 namespace candela {
 
-FirstHit FindFirstHit(const Scene& scene, Vec2 image_point) {
-  const Ray ray = scene.camera().GenerateRay(image_point);
-  HitRecord hit;
-  if (!scene.Intersect(ray, &hit)) return {};
-  return {true, scene.ShadingAt(ray, hit).n_shading, hit.t};
+void FindFirstHits(const Scene& scene, std::span<const Vec2> image_points,
+                   std::span<FirstHit> first_hits) {
+  std::vector<Ray> rays;
+  rays.reserve(image_points.size());
+  for (const Vec2 image_point : image_points) {
+    rays.push_back(scene.camera().GenerateRay(image_point));
+  }
+  std::vector<HitRecord> hits(rays.size());
+  scene.Intersect(RayOrder::kCoherent, rays, hits);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    first_hits[i] = hits[i].IsHit()
+                        ? FirstHit{true, scene.ShadingAt(rays[i], hits[i]).n_shading, hits[i].t}
+                        : FirstHit();
+  }
 }
 
 }  // namespace candela

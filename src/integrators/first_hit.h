@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "math/vec.h"
 #include "scene/scene.h"
 
@@ -12,7 +14,9 @@ struct FirstHit {
   float depth = 0;  ///< Distance along the ray; 0 for a miss.
 };
 
-/// Traces the camera ray through a point of the image plane.
-FirstHit FindFirstHit(const Scene& scene, Vec2 image_point);
+/// Traces the camera rays through points of the image plane; quickest when neighbours in the list
+/// are neighbours there. The spans are equally long.
+void FindFirstHits(const Scene& scene, std::span<const Vec2> image_points,
+                   std::span<FirstHit> first_hits);
 
 }  // namespace candela

@@ -48,8 +48,9 @@ class Integrator {
 
   virtual std::unique_ptr<Workspace> MakeWorkspace() const { return std::make_unique<Workspace>(); }
 
-  /// Stores the radiance of `samples[i]` in `radiance[i]`. A result depends on its sample alone,
-  /// never on the others of the list or on their order.
+  /// Stores the radiance of `samples[i]` in `radiance[i]`. The workspace comes from `MakeWorkspace`
+  /// of this integrator. A result depends on its sample alone, never on the others of the list or on
+  /// their order; many are quicker together, neighbours one after the other.
   virtual void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
                      std::span<Spectrum> radiance) const = 0;
 

@@ -1,7 +1,10 @@
 #include "integrators/whitted.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "integrators/path_queue.h"
 #include "integrators/ray_story.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
@@ -16,7 +19,7 @@ constexpr float kOffset = 0.01f;
 // A surface whose specular colour is shorter than this does not mirror.
 constexpr float kLeastMirror = 0.01f;
 
-Vec3 Reflect(Vec3 d, Vec3 n) {
+Vec3 Mirrored(Vec3 d, Vec3 n) {
   return d - n * (2 * Dot(n, d));
 }
 
@@ -26,7 +29,51 @@ float Highlight(float cosine, float shininess) {
   return cosine > 0 ? Pow(cosine, shininess) : (shininess > 0 ? 0.0f : Pow(0.0f, shininess));
 }
 
+/// A ray that leaves a point. Written in place, member by member: a ray that is made elsewhere and
+/// copied would wait for its own members to be stored.
+void StartRay(Vec3 p, Vec3 direction, RayKind kind, float t_max, Ray* ray) {
+  ray->origin = p + direction * kOffset;
+  ray->t_min = 0;
+  ray->direction = direction;
+  ray->t_max = t_max;
+  ray->mask = kind;
+}
+
+/// Where shadow rays to a light end. A hit exactly as far as the light counts. The distance is that
+/// of the unmoved point.
+float ShadowLimit(float distance) {
+  constexpr float kFarthest = std::numeric_limits<float>::max();
+  return distance < kFarthest ? std::nextafter(distance, kFarthest) : kFarthest;
+}
+
+/// A sample on its way.
+struct Path {
+  uint32_t sample = 0;  ///< Its place in the list.
+  Rgb radiance{};
+  Rgb throughput{1, 1, 1};
+};
+
+/// What its lights have to know of the surface that a path has met, and their sum so far.
+struct Shading {
+  SurfacePoint surface;
+  PhongTerms terms;
+  bool has_specular;
+  Vec3 eye;       ///< The unit direction that the ray came along,
+  Vec3 mirrored;  ///< and that in which it goes on.
+  Rgb light;
+};
+
 }  // namespace
+
+/// What is known of samples that are followed together. `shadings` and what follows belong to the
+/// paths at the same place.
+struct WhittedIntegrator::Batch final : Workspace {
+  PathQueue<Path> paths;
+  std::vector<Shading> shadings;
+  std::vector<LightSample> light_samples;  ///< Of the light in work,
+  std::vector<Ray> shadow_rays;            ///< the rays towards it,
+  std::vector<uint8_t> is_shadowed;        ///< and whether something is in the way.
+};
 
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
     : scene_(scene), bounces_(bounces), shadows_(shadows) {
@@ -41,102 +88,165 @@ Result<std::unique_ptr<Integrator>> WhittedIntegrator::Create(const Scene& scene
       std::make_unique<WhittedIntegrator>(scene, options.bounces.value_or(0), options.shadows));
 }
 
+std::unique_ptr<Workspace> WhittedIntegrator::MakeWorkspace() const {
+  return std::make_unique<Batch>();
+}
+
 void WhittedIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
                               std::span<Spectrum> radiance) const {
   NoStory nobody;
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const Ray ray = scene_.camera().GenerateRay(samples[i].image_point);
-    radiance[i] = Spectrum(Follow(ray, &workspace->rays, &nobody));
+  Batch* batch = static_cast<Batch*>(workspace);
+  for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
+    const size_t count = std::min(kMostTogether, samples.size() - begin);
+    Follow(samples.subspan(begin, count), batch, radiance.subspan(begin, count), &nobody);
   }
-  workspace->rays.camera += samples.size();
 }
 
 std::vector<std::string> WhittedIntegrator::Explain(const SampleRequest& sample) const {
   RayStory story(scene_);
-  RayCounts rays;
-  story.OnResult(Follow(scene_.camera().GenerateRay(sample.image_point), &rays, &story));
+  Batch batch;
+  Spectrum radiance;
+  Follow({&sample, 1}, &batch, {&radiance, 1}, &story);
+  story.OnResult(radiance.ToRgb());
   return story.TakeLines();
 }
 
 template <class Observer>
-Rgb WhittedIntegrator::Follow(Ray ray, RayCounts* rays, Observer* observer) const {
-  Rgb radiance;
-  Rgb throughput{1, 1, 1};
-  for (uint32_t bounce = 0;; ++bounce) {
-    HitRecord hit;
-    if (!scene_.Intersect(ray, &hit)) {
-      const Rgb background = scene_.background().Radiance(ray.direction).ToRgb();
-      observer->OnMiss(ray, background);
-      return radiance + throughput * background;
-    }
-    const SurfacePoint surface = scene_.ShadingAt(ray, hit);
-    const PhongTerms terms = scene_.material(hit).Phong(surface);
-    const Vec3 p = surface.p;
-    const Vec3 n = surface.n_shading;
-    const Vec3 eye = Normalize(ray.direction);
-    observer->OnHit(ray, hit, n, terms);
+void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
+                               std::span<Spectrum> radiance, Observer* observer) const {
+  PathQueue<Path>& paths = batch->paths;
+  paths.Clear();
+  for (uint32_t i = 0; i < samples.size(); ++i) {
+    paths.Add({i}, scene_.camera().GenerateRay(samples[i].image_point));
+  }
+  batch->rays.camera += samples.size();
 
-    Rgb local = Shade(p, n, eye, terms, rays, observer);
-    if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
-      const Rgb emitted = scene_.lights()[lamp]->Emitted(surface, -eye).ToRgb();
-      observer->OnEmission(emitted);
-      local += emitted;
-    }
-    radiance += throughput * local;
-
-    if (!(Length(terms.specular) > kLeastMirror)) {
-      observer->OnEnd("does not mirror");
-      return radiance;
-    }
-    if (bounce == bounces_) {
-      observer->OnEnd("no bounces are left");
-      return radiance;
-    }
-    throughput = throughput * terms.specular;
-    if (throughput == Rgb()) {  // Rounded to 0 after many mirrors: nothing can be added any more.
-      observer->OnEnd("reflects, but too little to count");
-      return radiance;
-    }
-    observer->OnReflection(terms.specular);
-    const Vec3 reflected = Reflect(ray.direction, n);
-    ray = Ray(p + reflected * kOffset, reflected);
-    ++rays->reflection;
+  RayOrder order = RayOrder::kCoherent;
+  for (uint32_t bounce = 0; paths.Size() > 0; ++bounce) {
+    paths.FindHits(scene_, order);
+    EndMisses(batch, radiance, observer);
+    FindSurfaces(batch, observer);
+    for (const Light* light : delta_lights_) AddLight(*light, order, batch, observer);
+    Reflect(bounce, batch, radiance, observer);
+    order = RayOrder::kScattered;
   }
 }
 
 template <class Observer>
-Rgb WhittedIntegrator::Shade(Vec3 p, Vec3 normal, Vec3 eye, const PhongTerms& terms,
-                             RayCounts* rays, Observer* observer) const {
-  const Vec3 reflected = Reflect(eye, normal);
-  const bool has_specular = terms.specular != Rgb();
-  Rgb sum;
-  for (const Light* light : delta_lights_) {
-    const LightSample sample = light->SampleIncident(p);
-    const bool is_shadowed = shadows_ && IsShadowed(p, sample, rays);
+void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
+                                  Observer* observer) const {
+  PathQueue<Path>& paths = batch->paths;
+  size_t left = 0;
+  for (size_t i = 0; i < paths.Size(); ++i) {
+    if (paths.hits[i].IsHit()) {
+      paths.MoveTo(left++, i);
+      continue;
+    }
+    const Path& path = paths.states[i];
+    const Rgb background = scene_.background().Radiance(paths.rays[i].direction).ToRgb();
+    observer->OnMiss(paths.rays[i], background);
+    radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
+  }
+  paths.Shorten(left);
+}
+
+template <class Observer>
+void WhittedIntegrator::FindSurfaces(Batch* batch, Observer* observer) const {
+  const PathQueue<Path>& paths = batch->paths;
+  batch->shadings.resize(paths.Size());
+  for (size_t i = 0; i < paths.Size(); ++i) {
+    const Ray& ray = paths.rays[i];
+    Shading& shading = batch->shadings[i];
+    shading.surface = scene_.ShadingAt(ray, paths.hits[i]);
+    shading.terms = scene_.material(paths.hits[i]).Phong(shading.surface);
+    shading.has_specular = shading.terms.specular != Rgb();
+    shading.eye = Normalize(ray.direction);
+    shading.mirrored = Mirrored(shading.eye, shading.surface.n_shading);
+    shading.light = Rgb();
+    observer->OnHit(ray, paths.hits[i], shading.surface.n_shading, shading.terms);
+  }
+}
+
+template <class Observer>
+void WhittedIntegrator::AddLight(const Light& light, RayOrder order, Batch* batch,
+                                 Observer* observer) const {
+  const size_t count = batch->shadings.size();
+  batch->light_samples.resize(count);
+  for (size_t i = 0; i < count; ++i) {
+    batch->light_samples[i] = light.SampleIncident(batch->shadings[i].surface.p);
+  }
+  batch->is_shadowed.assign(count, 0);
+  if (shadows_) {
+    batch->shadow_rays.resize(count);
+    for (size_t i = 0; i < count; ++i) {
+      const LightSample& sample = batch->light_samples[i];
+      StartRay(batch->shadings[i].surface.p, sample.direction, kShadowRay,
+               ShadowLimit(sample.distance), &batch->shadow_rays[i]);
+    }
+    batch->rays.shadow += count;
+    scene_.Occluded(order, batch->shadow_rays, batch->is_shadowed);
+  }
+  for (size_t i = 0; i < count; ++i) {
+    Shading& shading = batch->shadings[i];
+    const LightSample& sample = batch->light_samples[i];
+    const bool is_shadowed = batch->is_shadowed[i] != 0;
     Rgb diffuse, specular;
     if (!is_shadowed) {
       const Rgb intensity = sample.radiance.ToRgb();
-      const float cosine = std::max(0.0f, Dot(normal, sample.direction));
-      diffuse = intensity * terms.diffuse * cosine;
-      if (has_specular) {
-        specular = intensity * terms.specular *
-                   Highlight(Dot(reflected, sample.direction), terms.shininess);
+      const float cosine = std::max(0.0f, Dot(shading.surface.n_shading, sample.direction));
+      diffuse = intensity * shading.terms.diffuse * cosine;
+      if (shading.has_specular) {
+        specular = intensity * shading.terms.specular *
+                   Highlight(Dot(shading.mirrored, sample.direction), shading.terms.shininess);
       }
-      sum += diffuse + specular;
+      shading.light += diffuse + specular;
     }
-    observer->OnLight(*light, sample, is_shadowed, diffuse, specular);
+    observer->OnLight(light, sample, is_shadowed, diffuse, specular);
   }
-  const Rgb ambient = scene_.background().ambient_light * terms.ambient;
-  observer->OnAmbient(ambient);
-  return sum + ambient;
 }
 
-bool WhittedIntegrator::IsShadowed(Vec3 p, const LightSample& light, RayCounts* rays) const {
-  ++rays->shadow;
-  Ray ray(p + light.direction * kOffset, light.direction);
-  // A hit exactly as far as the light counts. The distance is that of the unmoved point.
-  if (light.distance < ray.t_max) ray.t_max = std::nextafter(light.distance, ray.t_max);
-  return scene_.Occluded(ray);
+template <class Observer>
+void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
+                                Observer* observer) const {
+  PathQueue<Path>& paths = batch->paths;
+  size_t left = 0;
+  for (size_t i = 0; i < paths.Size(); ++i) {
+    const Shading& shading = batch->shadings[i];
+    const Rgb specular = shading.terms.specular;
+    const Rgb ambient = scene_.background().ambient_light * shading.terms.ambient;
+    observer->OnAmbient(ambient);
+    Rgb local = shading.light + ambient;
+    const uint32_t lamp = scene_.objects()[paths.hits[i].object].light;
+    if (lamp != SceneObject::kNoLight) {
+      const Rgb emitted = scene_.lights()[lamp]->Emitted(shading.surface, -shading.eye).ToRgb();
+      observer->OnEmission(emitted);
+      local += emitted;
+    }
+    Path path = paths.states[i];
+    path.radiance += path.throughput * local;
+    path.throughput = path.throughput * specular;
+
+    const char* end = nullptr;
+    if (!(Length(specular) > kLeastMirror)) {
+      end = "does not mirror";
+    } else if (bounce == bounces_) {
+      end = "no bounces are left";
+    } else if (path.throughput == Rgb()) {
+      // Rounded to 0 after many mirrors: nothing can be added any more.
+      end = "reflects, but too little to count";
+    }
+    if (end) {
+      observer->OnEnd(end);
+      radiance[path.sample] = Spectrum(path.radiance);
+      continue;
+    }
+    observer->OnReflection(specular);
+    const Vec3 reflected = Mirrored(paths.rays[i].direction, shading.surface.n_shading);
+    paths.states[left] = path;
+    StartRay(shading.surface.p, reflected, kReflectionRay, Ray().t_max, &paths.rays[left++]);
+  }
+  paths.Shorten(left);
+  batch->rays.reflection += left;
 }
 
 }  // namespace candela

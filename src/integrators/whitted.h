@@ -16,28 +16,38 @@ struct IntegratorOptions;
 
 /// Recursive ray tracing with the Phong model, exactly as the course has it: Whitted, "An Improved
 /// Illumination Model for Shaded Display", 1980. Since a surface sends out one ray at most, the
-/// recursion is a loop.
+/// recursion is a loop, which many samples go through together: all of them look for their hits,
+/// then for the shadows of one light after the other, then go on along their mirrored rays.
 class WhittedIntegrator final : public Integrator {
  public:
   WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows);
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 
+  std::unique_ptr<Workspace> MakeWorkspace() const override;
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
              std::span<Spectrum> radiance) const override;
   std::vector<std::string> Explain(const SampleRequest& sample) const override;
 
  private:
-  /// Follows a camera ray. The observer is told of each hit, light and miss; see `RayStory`.
-  template <class Observer>
-  Rgb Follow(Ray ray, RayCounts* rays, Observer* observer) const;
+  struct Batch;
 
-  /// What the lights and the ambient light give at a point seen from the direction `eye`.
+  /// Follows samples to their ends. The observer is told of each hit, light and miss, in order when
+  /// there is one sample; see `RayStory`.
   template <class Observer>
-  Rgb Shade(Vec3 p, Vec3 normal, Vec3 eye, const PhongTerms& terms, RayCounts* rays,
-            Observer* observer) const;
+  void Follow(std::span<const SampleRequest> samples, Batch* batch, std::span<Spectrum> radiance,
+              Observer* observer) const;
 
-  bool IsShadowed(Vec3 p, const LightSample& light, RayCounts* rays) const;
+  // The stages of one bounce, in this order.
+  template <class Observer>
+  void EndMisses(Batch* batch, std::span<Spectrum> radiance, Observer* observer) const;
+  template <class Observer>
+  void FindSurfaces(Batch* batch, Observer* observer) const;
+  template <class Observer>
+  void AddLight(const Light& light, RayOrder order, Batch* batch, Observer* observer) const;
+  template <class Observer>
+  void Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
+               Observer* observer) const;
 
   const Scene& scene_;
   std::vector<const Light*> delta_lights_;

@@ -24,10 +24,17 @@ const kernel::TraceFunctions& FunctionsOf(Isa isa, int width) {
   return kernel::kScalarFunctions;
 }
 
+constexpr int kTinyDepth = 1;
+
 float LargestCoordinate(const Bounds3& bounds) {
   if (bounds.IsEmpty()) return 0;
   const Vec3 largest = Max(Abs(bounds.min), Abs(bounds.max));
   return std::max({largest.x, largest.y, largest.z});
+}
+
+/// Whether there is nothing that rays could share: then each goes alone.
+bool IsTiny(const kernel::GroupData& group) {
+  return group.depth <= kTinyDepth;
 }
 
 const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the search tree"};
@@ -37,8 +44,7 @@ const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the
 Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions& options) {
   const kernel::TraceFunctions& functions = FunctionsOf(options.isa, options.width);
   try {
-    auto data =
-        kernel::BuildGroup(input, options.quality, options.width, options.cancel);
+    auto data = kernel::BuildGroup(input, options.quality, options.width, options.cancel);
     if (!data) return data.error();
     data->isa = options.isa;
     data->trace = &functions;
@@ -59,14 +65,21 @@ bool Group::Occluded(const Ray& ray) const {
 
 void Group::Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const {
   CHECK(rays.size() == hits.size());
+  if (IsTiny(data_)) {
+    for (size_t i = 0; i < rays.size(); ++i) data_.trace->intersect(data_, rays[i], &hits[i]);
+    return;
+  }
   const auto intersect = order == RayOrder::kCoherent ? data_.trace->intersect_coherent
                                                       : data_.trace->intersect_scattered;
   intersect(data_, rays.data(), hits.data(), rays.size());
 }
 
-void Group::Occluded(RayOrder order, std::span<const Ray> rays,
-                     std::span<uint8_t> occluded) const {
+void Group::Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_t> occluded) const {
   CHECK(rays.size() == occluded.size());
+  if (IsTiny(data_)) {
+    for (size_t i = 0; i < rays.size(); ++i) occluded[i] = data_.trace->occluded(data_, rays[i]);
+    return;
+  }
   const auto test = order == RayOrder::kCoherent ? data_.trace->occluded_coherent
                                                  : data_.trace->occluded_scattered;
   test(data_, rays.data(), occluded.data(), rays.size());

@@ -74,6 +74,10 @@ class Group {
   Bounds3 Bounds() const { return data_.bounds; }
   /// Whether some of it is unbounded, and stands beside the tree.
   bool HasUnbounded() const { return !data_.unbounded.empty(); }
+  /// Nodes on the longest way down.
+  int Depth() const { return data_.depth; }
+  /// The instruction set that searches it.
+  Isa isa() const { return data_.isa; }
   /// Of the tree alone: records and triangle ids.
   uint64_t MemoryBytes() const;
 

@@ -52,9 +52,10 @@ struct Nearest {
 /// - Everything that may hold a hit not farther than `nearest.t` is the current reference, on the
 ///   stack, or below something there.
 /// - A box is left out only when its entry lies beyond `nearest.t`, or it is missed. A hit found in
-///   a leaf counts at the entry of the leaf's box when rounding put it before that. So a hit is
-///   never lost because another one was found earlier, whatever rounding did to their distances,
-///   and the answer does not depend on the order of visits.
+///   a leaf counts at the entry of the leaf's box at least. (Of a triangle that was split, the piece
+///   that is met has the nearest.) So a hit is never lost because another one was found earlier,
+///   whatever rounding did to their distances, and the answer does not depend on the order of
+///   visits.
 /// - References on the stack above the mark of a level belong to the group of that level.
 template <class L>
 struct Search {
@@ -132,15 +133,11 @@ struct Search {
     return primitive < *nearest.primitive;
   }
 
-  /// More than the rounding of a hit's distance, in proportion.
-  static constexpr float kHitRounding = 1e-5f;
-
   /// The distance at which a hit at `t` in a leaf that the ray enters at `entry` counts; a miss when
   /// it lies before the ray's beginning or beyond the nearest hit.
   bool Counts(float entry, float* t) const {
     if (!(*t >= space.slabs.t_min)) return false;  // NaN is a miss.
-    // Farther before the box of a piece of a triangle, the hit is that of another piece.
-    if (*t < entry && *t > entry * (1 - kHitRounding)) *t = entry;
+    if (*t < entry) *t = entry;
     return *t <= nearest.t;
   }
 

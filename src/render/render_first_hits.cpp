@@ -1,6 +1,7 @@
 #include "render/render_first_hits.h"
 
 #include "base/parallel.h"
+#include "render/pixel_order.h"
 #include "render/sample_placer.h"
 #include "render/tiles.h"
 
@@ -9,15 +10,26 @@ namespace candela {
 std::vector<FirstHit> RenderFirstHits(const Scene& scene, const RenderOptions& options) {
   const SamplePlacer placer(options);
   const PixelWindow& crop = options.crop;
-  std::vector<FirstHit> hits(PixelCount(crop));
-  ParallelFor(crop.Height(), [&](int64_t row) {
-    const int y = crop.y0 + static_cast<int>(row);
-    FirstHit* out = &hits[static_cast<size_t>(row) * static_cast<size_t>(crop.Width())];
-    for (int x = crop.x0; x < crop.x1; ++x) {
-      *out++ = FindFirstHit(scene, placer.Centre(x, y).image_point);
-    }
+  std::vector<FirstHit> map(PixelCount(crop));
+  const Tiles tiles(crop, static_cast<int>(options.tile_size));
+  ParallelFor(tiles.Count(), [&](int64_t tile) {
+    const PixelWindow window = tiles.Window(tile);
+    std::vector<Vec2> image_points;
+    image_points.reserve(PixelCount(window));
+    ForEachPixel(window, [&](int x, int y) {
+      image_points.push_back(placer.Centre(x, y).image_point);
+      return true;
+    });
+    std::vector<FirstHit> hits(image_points.size());
+    FindFirstHits(scene, image_points, hits);
+    auto hit = hits.begin();
+    ForEachPixel(window, [&](int x, int y) {
+      const auto row = static_cast<size_t>(y - crop.y0), column = static_cast<size_t>(x - crop.x0);
+      map[row * static_cast<size_t>(crop.Width()) + column] = *hit++;
+      return true;
+    });
   });
-  return hits;
+  return map;
 }
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "render/pixel_order.h"
 #include "render/row_feed.h"
 #include "render/sample_placer.h"
 #include "render/tiles.h"
@@ -26,19 +27,21 @@ class RenderJob::Worker {
   /// A tile that is left when `cancel` is set does not come into the film.
   void RenderTile(const PixelWindow& window) {
     if (!has_one_sample_) job_.film_.BeginTile(window, &tile_);
-    for (int y = window.y0; y < window.y1; ++y) {
-      for (int x = window.x0; x < window.x1; ++x) {
-        for (uint32_t index = 0; index < job_.options_.samples; ++index) {
-          const SamplePlacer::Placed placed = placer_.Place(x, y, index);
-          requests_.push_back(placed.request);
-          weights_.push_back(placed.weight);
-          if (requests_.size() < kBatch) continue;
-          // Asked here, since a tile of many samples per pixel takes minutes.
-          if (cancel_.IsCancelled()) return;
-          TraceBatch();
-        }
+    bool is_cancelled = false;
+    ForEachPixel(window, [&](int x, int y) {
+      for (uint32_t index = 0; index < job_.options_.samples; ++index) {
+        const SamplePlacer::Placed placed = placer_.Place(x, y, index);
+        requests_.push_back(placed.request);
+        weights_.push_back(placed.weight);
+        if (requests_.size() < kBatch) continue;
+        // Asked here, since a tile of many samples per pixel takes minutes.
+        is_cancelled = cancel_.IsCancelled();
+        if (is_cancelled) return false;
+        TraceBatch();
       }
-    }
+      return true;
+    });
+    if (is_cancelled) return;
     TraceBatch();
     if (!has_one_sample_) job_.film_.EndTile(tile_);
   }

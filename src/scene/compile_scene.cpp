@@ -17,6 +17,9 @@ namespace candela {
 /// Holds what is known while a scene is compiled.
 class SceneCompiler {
  public:
+  /// So many triangles are copied for each object rather than shared, all copies together.
+  static constexpr uint64_t kFewTriangles = 1000;
+
   SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
       : spec_(spec), diagnostics_(*diagnostics), scene_(new Scene(spec.camera)) {}
 
@@ -25,11 +28,19 @@ class SceneCompiler {
     CompileMaterials();
     CompileNodes();
     if (diagnostics_.HasErrors()) return nullptr;
+    BakeMeshes();
     BuildTree();
+    if (diagnostics_.HasErrors()) return nullptr;
     return std::move(scene_);
   }
 
  private:
+  /// Of an object of the scene: what is of no use once that is compiled.
+  struct Place {
+    Mat4 world_from_object;
+    SourceLocation where;  ///< For messages about it.
+  };
+
   void CompileBackground() {
     const BackgroundSpec& background = spec_.background;
     scene_->background_.color = background.color;
@@ -83,26 +94,30 @@ class SceneCompiler {
 
   void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light) {
     const TypedSpec& spec = *node.object;
-    ShapeContext context{&diagnostics_, spec.where, [this](const std::string& path) {
+    ShapeContext context{&diagnostics_, spec.where,
+                         [this](const std::string& path) {
                            const auto found = spec_.meshes.find(path);
                            return found == spec_.meshes.end() ? nullptr : found->second;
-                         }};
+                         },
+                         &made_of_meshes_};
     auto shape = CreateShape(spec, &context);
     const auto material = MaterialOf(node);
     if (!shape || !material) return;
 
+    const SourceLocation& where =
+        node.transform_where.line != 0 ? node.transform_where : spec.where;
     const auto object_from_world = InverseAffine(world_from_node);
     if (!object_from_world) {
-      const bool has_own = node.transform_where.line != 0;
       diagnostics_.Warning(
-          has_own ? node.transform_where : spec.where,
+          where,
           "the object is left out: its transform is singular (it has no inverse in "
           "single precision)");
       return;
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
-                                Transform(*object_from_world), *material, light, spec.type,
+                                Transform(*object_from_world), *material, light, false, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
+    places_.push_back({world_from_node, where});
   }
 
   /// The index of the node's material; nothing when there is no such material, which is reported.
@@ -157,16 +172,55 @@ class SceneCompiler {
     return *default_material_;
   }
 
-  void BuildTree() {
-    std::vector<Bounds3> boxes(scene_->objects_.size());
-    for (uint32_t i = 0; i < boxes.size(); ++i) {
-      const SceneObject& object = scene_->objects_[i];
-      boxes[i] = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
-      if (boxes[i].IsFinite() || boxes[i].IsEmpty()) continue;
-      scene_->unbounded_.push_back(i);
-      boxes[i] = Bounds3();
+  /// Moves the triangles of meshes that one object has into the world, where rays need no way to
+  /// the object. Those that several objects have stay as they are, however many these may be,
+  /// unless they are small: a ray is through with a few triangles before it would have come to
+  /// them.
+  void BakeMeshes() {
+    std::map<const Shape*, size_t> users;
+    for (const SceneObject& object : scene_->objects_) ++users[object.shape.get()];
+
+    size_t left = 0;
+    for (size_t i = 0; i < scene_->objects_.size(); ++i) {
+      SceneObject& object = scene_->objects_[i];
+      if (object.shape->Triangles()) {
+        const size_t copies = users[object.shape.get()];
+        object.is_instance = copies > 1 && copies * object.shape->PrimitiveCount() > kFewTriangles;
+        if (!object.is_instance && !Bake(places_[i], &object)) continue;
+      }
+      if (left != i) {
+        scene_->objects_[left] = std::move(object);
+        places_[left] = std::move(places_[i]);
+      }
+      ++left;
     }
-    scene_->bvh_ = Bvh(boxes);
+    scene_->objects_.resize(left);
+    places_.resize(left);
+  }
+
+  /// False when the object is to be left out.
+  bool Bake(const Place& place, SceneObject* object) {
+    if (place.world_from_object == Mat4::Identity()) return true;
+    object->shape = object->shape->Baked(place.world_from_object);
+    if (!object->shape) {
+      diagnostics_.Warning(place.where,
+                           "the object is left out: its triangles are too far away or too large "
+                           "for single precision");
+      return false;
+    }
+    object->world_from_object = object->object_from_world = Transform();
+    return true;
+  }
+
+  void BuildTree() {
+    std::vector<Mat4> world_from_object;
+    for (const Place& place : places_) world_from_object.push_back(place.world_from_object);
+    auto tree = BuildSceneTree(scene_->objects_, world_from_object);
+    if (tree) {
+      scene_->tree_ = *std::move(tree);
+    } else {
+      diagnostics_.Error(spec_.file, tree.error().message, tree.error().code);
+    }
   }
 
   const SceneSpec& spec_;
@@ -174,6 +228,8 @@ class SceneCompiler {
   std::unique_ptr<Scene> scene_;
   std::map<std::string_view, uint32_t> material_by_name_;
   std::optional<uint32_t> default_material_;
+  std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
+  std::vector<Place> places_;  ///< Of `scene_->objects_`.
 };
 
 std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {

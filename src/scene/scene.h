@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,26 +10,14 @@
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
 #include "geometry/surface_point.h"
-#include "kernel/bvh.h"
+#include "kernel/group.h"
 #include "lights/light.h"
 #include "materials/material.h"
-#include "math/transform.h"
 #include "scene/background.h"
-#include "shapes/shape.h"
+#include "scene/scene_object.h"
+#include "scene/scene_tree.h"
 
 namespace candela {
-
-/// A shape with its place in the world and what it is made of.
-struct SceneObject {
-  static constexpr uint32_t kNoLight = 0xFFFFFFFF;
-
-  std::unique_ptr<const Shape> shape;
-  Transform world_from_object, object_from_world;
-  uint32_t material = 0;
-  uint32_t light = kNoLight;  ///< The area light whose surface this is.
-  std::string type;           ///< As in the registry of shapes.
-  std::string description;    ///< For people: type and line in the scene file.
-};
 
 /// A compiled scene: what integrators see. Immutable; all calls may be made concurrently.
 class Scene {
@@ -37,10 +26,18 @@ class Scene {
   /// first in the scene file, and in it the smallest primitive. A ray misses when it has a NaN, an
   /// infinite origin, or a direction whose squared length is 0 or infinite. False when nothing is
   /// hit; `*hit` is then as it was.
-  bool Intersect(const Ray& ray, HitRecord* hit) const;
+  bool Intersect(const Ray& ray, HitRecord* hit) const { return tree_.group->Intersect(ray, hit); }
 
   /// Whether anything lies in `ray.t_min <= t < ray.t_max`.
-  bool Occluded(const Ray& ray) const;
+  bool Occluded(const Ray& ray) const { return tree_.group->Occluded(ray); }
+
+  /// The same for many rays; see `Group`. The spans are equally long.
+  void Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const {
+    tree_.group->Intersect(order, rays, hits);
+  }
+  void Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_t> occluded) const {
+    tree_.group->Occluded(order, rays, occluded);
+  }
 
   /// The hit point in world space, with unit normals.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
@@ -60,16 +57,16 @@ class Scene {
   const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
 
   /// The box around all bounded objects.
-  Bounds3 Bounds() const { return bvh_.Bounds(); }
+  Bounds3 Bounds() const;
+  /// What finds the hits.
+  const SceneTree& tree() const { return tree_; }
+  /// What objects share counts once.
   uint64_t MemoryBytes() const;
 
  private:
   friend class SceneCompiler;
   explicit Scene(const CameraSpec& camera) : camera_(camera) {}
 
-  bool IntersectObject(uint32_t object, const Ray& ray, HitRecord* hit) const;
-  bool IsOccludedBy(uint32_t object, const Ray& ray) const;
-  Ray ToObject(uint32_t object, const Ray& ray) const;
   Vec3 NormalToWorld(uint32_t object, Vec3 n) const;
 
   PerspectiveCamera camera_;
@@ -77,8 +74,7 @@ class Scene {
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
-  Bvh bvh_;                          ///< Over the bounded objects.
-  std::vector<uint32_t> unbounded_;  ///< Stand beside the tree.
+  SceneTree tree_;
 };
 
 }  // namespace candela

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
-#include "kernel/bvh.h"
 #include "scene_spec/mesh_spec.h"
 #include "scene_spec/param_reader.h"
 #include "shapes/shape.h"
@@ -18,32 +18,42 @@ struct ShapeContext;
 class Mesh final : public Shape {
  public:
   explicit Mesh(std::shared_ptr<const MeshSpec> spec);
-  /// Null when its file could not be loaded.
-  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+  /// Null when its file could not be loaded. Objects of the same file get the same mesh.
+  static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
 
-  Bounds3 ObjectBounds() const override { return bvh_.Bounds(); }
+  Bounds3 ObjectBounds() const override { return bounds_; }
+  /// The plain definition of a hit: every triangle is tested, one after the other. For tests and
+  /// meshes of a few triangles; a scene finds hits by way of `Triangles`.
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
-  bool Occludes(const Ray& ray) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  std::optional<TriangleInput> Triangles() const override;
+  std::shared_ptr<const Shape> Baked(const Mat4& world_from_object) const override;
   uint64_t PrimitiveCount() const override { return spec_->triangles.size(); }
   uint64_t MemoryBytes() const override;
 
  private:
-  /// The corners of a triangle and its index in the file, in one place for the search.
-  struct PlacedTriangle {
-    Vec3 a, b, c;
-    uint32_t index;
-  };
+  using Corners = MeshSpec::Corners;
 
-  void PlaceTriangles();
+  Mesh() = default;
+
+  void ComputeBounds();
   void ComputeVertexNormals();
-  Vec3 CornerNormal(uint32_t triangle, size_t corner, Vec3 face_normal) const;
+  void BakeNormals(const Mat4& object_from_world, Mesh* baked) const;
+  bool HasNormal(size_t triangle, size_t corner) const;
+  Vec3 CornerNormal(size_t triangle, size_t corner, Vec3 face_normal) const;
+  Vec3 FaceNormal(size_t triangle) const;
 
-  std::shared_ptr<const MeshSpec> spec_;
-  std::vector<Vec3>
-      vertex_normals_;  ///< Unit or 0, by position index; empty when the file has its own.
-  Bvh bvh_;
-  std::vector<PlacedTriangle> placed_;  ///< In the order of the tree's leaves.
+  std::shared_ptr<const MeshSpec> spec_;  ///< As it was read; says which triangles there are.
+  std::span<const Vec3> positions_;
+  std::span<const Vec3> normals_;            ///< A corner has that of its index,
+  std::span<const Corners> normal_corners_;  ///< unless that is 0 or kNoNormal: then the face's.
+  /// Baking has turned the surface inside out: face normals point to where corners are clockwise.
+  bool is_mirrored_ = false;
+  Bounds3 bounds_;
+
+  // What the spans above refer to where it is not a part of the spec.
+  std::vector<Vec3> own_positions_, own_normals_;
+  std::vector<Corners> own_normal_corners_;
 };
 
 }  // namespace candela

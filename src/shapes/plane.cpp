@@ -5,7 +5,7 @@
 
 namespace candela {
 
-std::unique_ptr<Shape> Plane::Create(ParamReader* params, ShapeContext*) {
+std::shared_ptr<const Shape> Plane::Create(ParamReader* params, ShapeContext*) {
   const Vec3 normal = params->RequiredDirection("normal");
   const float offset = params->RequiredNumber("offset");
   return std::make_unique<Plane>(normal, offset);

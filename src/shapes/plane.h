@@ -14,7 +14,7 @@ class Plane final : public Shape {
  public:
   /// `normal` has any length but 0; `offset` counts in units of that length.
   Plane(Vec3 normal, float offset);
-  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+  static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
 
   Bounds3 ObjectBounds() const override { return Bounds3::Infinite(); }
   bool Intersect(const Ray& ray, HitRecord* hit) const override;

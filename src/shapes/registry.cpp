@@ -23,7 +23,7 @@ std::span<const ShapeEntry> ShapeEntries() {
   return kShapes;
 }
 
-std::unique_ptr<Shape> CreateShape(const TypedSpec& spec, ShapeContext* context) {
+std::shared_ptr<const Shape> CreateShape(const TypedSpec& spec, ShapeContext* context) {
   const ShapeEntry* entry = FindEntry<ShapeEntry>(kShapes, spec, "shape", context->diagnostics);
   if (!entry) return nullptr;
   ParamReader params(spec.params, entry->name, spec.where, context->diagnostics);

@@ -14,7 +14,7 @@ namespace candela {
 struct ShapeEntry {
   std::string_view name;
   /// Reads the parameters. Returns null when the shape is to be left out; why has been reported.
-  std::unique_ptr<Shape> (*create)(ParamReader* params, ShapeContext* context);
+  std::shared_ptr<const Shape> (*create)(ParamReader* params, ShapeContext* context);
   /// An object body that the contract tests and the manual use.
   std::string_view example;
 };
@@ -22,6 +22,6 @@ struct ShapeEntry {
 std::span<const ShapeEntry> ShapeEntries();
 
 /// Creates the shape that `spec` describes; null when that failed or it is to be left out.
-std::unique_ptr<Shape> CreateShape(const TypedSpec& spec, ShapeContext* context);
+std::shared_ptr<const Shape> CreateShape(const TypedSpec& spec, ShapeContext* context);
 
 }  // namespace candela

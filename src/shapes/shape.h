@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 
 #include "geometry/bounds3.h"
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
 #include "geometry/surface_point.h"
+#include "kernel/group_input.h"
+#include "math/mat4.h"
 
 namespace candela {
 
@@ -19,8 +23,9 @@ class Shape {
   virtual Bounds3 ObjectBounds() const = 0;
 
   /// Looks for the nearest hit with `ray.t_min <= t < hit->t`. On success stores t, u, v and the
-  /// primitive and returns true; on a miss leaves `*hit` as it was. Of equal t within the shape the
-  /// primitive with the smallest index wins.
+  /// primitive (0 for a shape that does not consist of triangles) and returns true; on a miss
+  /// leaves
+  /// `*hit` as it was. Of equal t within the shape the primitive with the smallest index wins.
   virtual bool Intersect(const Ray& ray, HitRecord* hit) const = 0;
 
   /// Whether anything of it lies in `ray.t_min <= t < ray.t_max`.
@@ -29,6 +34,17 @@ class Shape {
   /// Position and normals of a hit found by `Intersect`, in object space; normals have any length
   /// but 0. Kept apart because most hits found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
+
+  /// The triangles, when that is all it consists of; then the scene's own search finds their hits,
+  /// and does not ask `Intersect`, which says the same about a single shape at leisure. What the
+  /// spans refer to lives as long as the shape.
+  virtual std::optional<TriangleInput> Triangles() const { return std::nullopt; }
+
+  /// For a shape of triangles: the same surface in the space that the matrix leads to, with normals
+  /// on the same side. Null when it does not fit into single precision.
+  virtual std::shared_ptr<const Shape> Baked(const Mat4& /*world_from_object*/) const {
+    return nullptr;
+  }
 
   /// How many primitives it consists of, for statistics.
   virtual uint64_t PrimitiveCount() const { return 1; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,9 @@ struct ShapeContext {
   /// The mesh of a file that the scene names; null when it could not be loaded, which has been
   /// reported.
   std::function<std::shared_ptr<const MeshSpec>(const std::string& path)> find_mesh;
+
+  /// The shapes that were made of meshes: one of each is enough for all objects.
+  std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>>* made_of_meshes;
 };
 
 }  // namespace candela

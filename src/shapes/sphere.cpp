@@ -5,7 +5,7 @@
 
 namespace candela {
 
-std::unique_ptr<Shape> Sphere::Create(ParamReader* params, ShapeContext*) {
+std::shared_ptr<const Shape> Sphere::Create(ParamReader* params, ShapeContext*) {
   return std::make_unique<Sphere>(params->RequiredPositive("radius"));
 }
 

@@ -13,7 +13,7 @@ struct ShapeContext;
 class Sphere final : public Shape {
  public:
   explicit Sphere(float radius) : radius_(radius) {}
-  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+  static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
 
   Bounds3 ObjectBounds() const override;
   bool Intersect(const Ray& ray, HitRecord* hit) const override;

@@ -4,7 +4,7 @@
 
 namespace candela {
 
-std::unique_ptr<Shape> Triangle::Create(ParamReader* params, ShapeContext* context) {
+std::shared_ptr<const Shape> Triangle::Create(ParamReader* params, ShapeContext* context) {
   const Vec3 a = params->RequiredVector("vertex0");
   const Vec3 b = params->RequiredVector("vertex1");
   const Vec3 c = params->RequiredVector("vertex2");

@@ -17,7 +17,7 @@ class Triangle final : public Shape {
  public:
   Triangle(Vec3 a, Vec3 b, Vec3 c) : corners_{a, b, c}, normal_(TriangleNormal(a, b, c)) {}
   /// Null, with a warning, for a triangle without area.
-  static std::unique_ptr<Shape> Create(ParamReader* params, ShapeContext* context);
+  static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
 
   Bounds3 ObjectBounds() const override;
   bool Intersect(const Ray& ray, HitRecord* hit) const override;

@@ -124,7 +124,8 @@ TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
                                            "ambient     0 0 0.125\n"
                                            "bounds      "));
   EXPECT_THAT(end.out, HasSubstr("\ncamera      at 0 0 5, direction 0 0 -1, up 0 1 0, 40 degrees\n"
-                                 "memory      "));
+                                 "tree        "));
+  EXPECT_THAT(end.out, HasSubstr("\nmemory      "));
 }
 
 // The floor alone has no bounds.

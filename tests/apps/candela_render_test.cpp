@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "kernel/isa.h"
 #include "tests/apps/programs.h"
 
 namespace candela::testing_support {
@@ -97,6 +98,19 @@ TEST_F(CandelaRenderTest, ThreadsChangeNothing) {
   EXPECT_EQ(Rendered({"--threads", "7", "--samples", "4", "--bounces", "2"}), one);
 }
 
+TEST_F(CandelaRenderTest, ThePictureDoesNotDependOnTheInstructionSet) {
+  const size_t usual = Rendered({"--bounces", "2"});
+  for (const Isa isa : {Isa::kScalar, Isa::kAvx2, Isa::kAvx512}) {
+    const std::string name(IsaName(isa));
+    if (IsSupported(isa)) {
+      EXPECT_EQ(Rendered({"--bounces", "2", "--isa", name}), usual) << name;
+    } else {
+      ExpectUsageError({"-o", "o.png", "--isa", name},
+                       "--isa: this processor does not know " + name);
+    }
+  }
+}
+
 TEST_F(CandelaRenderTest, ACropIsThatPartOfTheWhole) {
   EXPECT_EQ(Render({"-o", "whole.exr", "--samples", "4"}).status, 0);
   EXPECT_EQ(Render({"-o", "part.exr", "--samples", "4", "--crop", "10", "5", "31", "30"}).status,
@@ -173,6 +187,8 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
                    "'whitted'?)");
   ExpectUsageError({"-o", "o.png", "--samples", "0"},
                    "--samples: expects a whole number from 1 to 2147483647, found '0'");
+  ExpectUsageError({"-o", "o.png", "--isa", "mmx"},
+                   "--isa: expects 'scalar', 'avx2' or 'avx512', found 'mmx'");
   ExpectUsageError({"-o", "o.png", "--threads", "0"},
                    "--threads: expects a whole number from 1 to 1024, found '0'");
   ExpectUsageError({"-o", "o.png", "--seed", "4294967296"},

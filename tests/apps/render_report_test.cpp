@@ -16,6 +16,7 @@ RenderStatistics Example() {
   statistics.height = 20;
   statistics.samples_per_pixel = 4;
   statistics.threads = 2;
+  statistics.isa = "avx2";
   statistics.seconds = {0.25, 0.5, 2, 0.125, 0.0625};
   statistics.rays = {2000000, 1500000, 500000};
   statistics.dropped_samples = 3;
@@ -27,14 +28,14 @@ RenderStatistics Example() {
 TEST(StatisticsToText, ShowsPhasesRaysRateAndMemory) {
   const std::string text = StatisticsToText(Example());
   for (const char* line :
-       {"30 x 20 pixels, 4 samples each, whitted, 2 threads\n", "load                 0.250 s\n",
-        "build                0.500 s\n", "render               2.000 s\n",
-        "encode               0.125 s\n", "write                0.062 s\n",
-        "total                2.938 s\n", "camera             2000000\n",
-        "reflection         1500000\n", "shadow              500000\n",
-        "total              4000000\n", "rate                 2.000 Mrays/s\n",
-        "scene                3.000 MiB\n", "peak                50.000 MiB\n",
-        "dropped                  3\n"}) {
+       {"30 x 20 pixels, 4 samples each, whitted, 2 threads, avx2\n",
+        "load                 0.250 s\n", "build                0.500 s\n",
+        "render               2.000 s\n", "encode               0.125 s\n",
+        "write                0.062 s\n", "total                2.938 s\n",
+        "camera             2000000\n", "reflection         1500000\n",
+        "shadow              500000\n", "total              4000000\n",
+        "rate                 2.000 Mrays/s\n", "scene                3.000 MiB\n",
+        "peak                50.000 MiB\n", "dropped                  3\n"}) {
     EXPECT_THAT(text, testing::HasSubstr(line));
   }
 }

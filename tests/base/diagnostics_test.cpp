@@ -118,5 +118,14 @@ TEST(Diagnostics, MakesOnlyTheTextsThatAreShown) {
   EXPECT_EQ(diagnostics.Lines()[19], "a:1:1: error: 20");
 }
 
+TEST(Diagnostics, TellWhatTheErrorsAreAbout) {
+  Diagnostics diagnostics, other;
+  EXPECT_EQ(diagnostics.Code(), ErrorCode::kInput);
+  other.Error(At("a", 1, 1), "no room", ErrorCode::kResources);
+  other.Error(At("a", 1, 1), "and wrong");
+  diagnostics.Append(other);
+  EXPECT_EQ(diagnostics.Code(), ErrorCode::kResources);
+}
+
 }  // namespace
 }  // namespace candela

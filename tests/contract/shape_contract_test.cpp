@@ -52,26 +52,30 @@ class EveryShape : public testing::TestWithParam<ShapeEntry> {
   }
 
   /// A ray from somewhere outside (or, every fourth time, inside) towards the shape, in the world.
-  Ray RayTowards(const SceneObject& object) {
-    const Vec3 target = PointNear(*object.shape);
+  Ray RayTowards(const Shape& shape) {
+    const Vec3 target = PointNear(shape);
     const Vec3 side = SampleUniformSphere(random_.NextPair());
     const float distance = random_.Next() < 0.25f ? 0.1f : 4.0f;
     const Vec3 origin = target + side * distance;
-    const Transform& to_world = object.world_from_object;
-    return {to_world.Point(origin), Normalize(to_world.Vector(target - origin))};
+    return {to_world_.Point(origin), Normalize(to_world_.Vector(target - origin))};
   }
 
   /// Calls `check(scene, ray, hit)` for hits of the shape in each placement.
   template <class Check>
   void ForHits(int count, Check&& check) {
+    const auto plain = SceneOfShape(GetParam().example);
     for (const Placement& placement : kPlacements) {
       SCOPED_TRACE(placement.name);
       const auto scene = SceneOfShape(GetParam().example, placement.outer, placement.inner);
       ASSERT_EQ(scene->objects().size(), 1u);
+      // A sphere tells where the placement leads to: a mesh may have been moved there already.
+      const auto sphere = SceneOfShape("type sphere radius 1", placement.outer, placement.inner);
+      to_world_ = sphere->objects()[0].world_from_object;
+      to_object_ = sphere->objects()[0].object_from_world;
       int hits = 0;
       for (int tries = 0; hits < count; ++tries) {
         ASSERT_LT(tries, 100 * count) << "the shape is hardly ever hit";
-        const Ray ray = RayTowards(scene->objects()[0]);
+        const Ray ray = RayTowards(*plain->objects()[0].shape);
         HitRecord hit;
         if (!scene->Intersect(ray, &hit)) continue;
         ++hits;
@@ -81,6 +85,7 @@ class EveryShape : public testing::TestWithParam<ShapeEntry> {
     }
   }
 
+  Transform to_world_, to_object_;  ///< Of the placement in work.
   UniformNumbers random_{11};
 };
 
@@ -111,12 +116,16 @@ TEST_P(EveryShape, HitsLieInsideItsBounds) {
   });
 }
 
-// The point of the surface is the point of the ray, as well as its direction and distance can say.
+// The point of the surface is the point of the ray, as well as its direction and distance can say:
+// a ray along the surface passes many points of it nearly as close.
 TEST_P(EveryShape, HitsLieOnTheRay) {
   ForHits(2000, [](const Scene& scene, const Ray& ray, const HitRecord& hit) {
-    const Vec3 p = scene.SurfaceAt(ray, hit).p;
-    const float scale = Length(p) + Length(ray.origin) + hit.t;
-    EXPECT_LE(Length(ray.At(hit.t) - p), 1e-5f * scale);
+    const SurfacePoint point = scene.SurfaceAt(ray, hit);
+    const float scale = Length(point.p) + Length(ray.origin) + hit.t;
+    const Vec3 way = ray.At(hit.t) - point.p;
+    const Vec3 along = ray.direction * Dot(way, ray.direction);
+    EXPECT_LE(Length(way - along), 1e-5f * scale);
+    EXPECT_LE(Length(along) * std::abs(Dot(point.n_geometric, ray.direction)), 1e-5f * scale);
   });
 }
 
@@ -181,8 +190,7 @@ TEST_P(EveryShape, ASpawnedRayDoesNotHitTheSameSpotAgain) {
     const Ray spawned = SpawnRay(point, w);
     HitRecord again;
     if (!scene.Intersect(spawned, &again) || again.primitive != hit.primitive) return;
-    const Transform& to_object = scene.objects()[0].object_from_world;
-    const Vec3 way = to_object.Vector(spawned.At(again.t) - spawned.origin);
+    const Vec3 way = to_object_.Vector(spawned.At(again.t) - spawned.origin);
     EXPECT_GT(Length(way), 1e-3f);
   });
 }
@@ -197,22 +205,20 @@ TEST_P(EveryShape, ItsNormalAgreesWithFiniteDifferences) {
     if (std::abs(Dot(point.n_geometric, ray.direction)) < 0.2f) return;
 
     // In object space, where the size of things is about 1.
-    const Transform& to_object = scene.objects()[0].object_from_world;
     const Frame frame = Frame::FromNormal(ray.direction);
     std::optional<Vec3> sides[2];
     for (int i = 0; i < 2; ++i) {
       Ray neighbour = ray;
       const Vec3 step = i == 0 ? frame.x : frame.y;
-      neighbour.origin += step * (0.003f / Length(to_object.Vector(step)));
+      neighbour.origin += step * (0.003f / Length(to_object_.Vector(step)));
       HitRecord near;
       if (!scene.Intersect(neighbour, &near) || near.primitive != hit.primitive) return;
-      sides[i] = to_object.Vector(scene.SurfaceAt(neighbour, near).p - point.p);
+      sides[i] = to_object_.Vector(scene.SurfaceAt(neighbour, near).p - point.p);
       if (Length(*sides[i]) > 0.05f) return;  // Beyond an edge, or on the far side.
     }
     const Vec3 across = Cross(*sides[0], *sides[1]);
     // Compared in the object, to which normals go by the transpose of the way to the world.
-    const Vec3 n =
-        Normalize(scene.objects()[0].world_from_object.TransposedVector(point.n_geometric));
+    const Vec3 n = Normalize(to_world_.TransposedVector(point.n_geometric));
     if (Length(across) < 0.1f * Length(*sides[0]) * Length(*sides[1])) return;
     EXPECT_GT(std::abs(Dot(Normalize(across), n)), 0.99f);
     ++compared;
@@ -224,9 +230,8 @@ TEST_P(EveryShape, ItsNormalAgreesWithFiniteDifferences) {
 TEST_P(EveryShape, GivesTheSameAnswerUnderAnAffineTransform) {
   const auto plain = SceneOfShape(GetParam().example);
   int different = 0;
-  ForHits(1000, [&](const Scene& scene, const Ray& ray, const HitRecord& hit) {
-    const Transform& to_object = scene.objects()[0].object_from_world;
-    const Ray local(to_object.Point(ray.origin), to_object.Vector(ray.direction));
+  ForHits(1000, [&](const Scene&, const Ray& ray, const HitRecord& hit) {
+    const Ray local(to_object_.Point(ray.origin), to_object_.Vector(ray.direction));
     HitRecord expected;
     if (!plain->Intersect(local, &expected) || expected.primitive != hit.primitive) {
       ++different;  // At a rim or an edge rounding decides.

@@ -69,6 +69,20 @@ std::string LinesOfRandomScenes() {
   return lines;
 }
 
+std::string LinesOfMeshScenes() {
+  std::string lines;
+  for (const char* integrator : {"whitted", "path"}) {
+    for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
+      const Subject subject = MakeMeshSubject(integrator, seed);
+      if (!subject.integrator) continue;
+      const Placement strata{"strata", SamplePattern::kStrata, kStrataSamples};
+      const Image image = RenderImage(*subject.integrator, OptionsFor(strata, kWidth, kHeight));
+      lines += Line(fmt::format("meshes, {} {}", integrator, seed), image);
+    }
+  }
+  return lines;
+}
+
 std::string LinesOfPlacements() {
   std::string lines;
   const Subject subject = MakeSubject("whitted", 0);
@@ -85,7 +99,8 @@ std::string LinesOfPlacements() {
 }
 
 TEST(Golden, HashesOfFloatPicturesAreTheStoredOnes) {
-  const std::string lines = LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements();
+  const std::string lines =
+      LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements() + LinesOfMeshScenes();
   if (testing_support::IsUpdate()) {
     ASSERT_TRUE(WriteFileAtomically(kFile, std::as_bytes(std::span(lines))));
     return;

@@ -2,17 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "film/pixel_filter.h"
 #include "integrators/registry.h"
+#include "tests/determinism/random_mesh_scene.h"
 #include "tests/determinism/random_scene.h"
 #include "tests/support/render_scene.h"
 
 namespace candela::determinism {
 
-Subject MakeSubject(const std::string& integrator, uint32_t seed) {
-  Subject subject;
-  subject.scene = testing_support::SceneOfText(integrator == "path" ? RandomDiffuseScene(seed)
-                                                                    : RandomScene(seed));
+namespace {
+
+Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> scene) {
+  Subject subject{std::move(scene), nullptr};
   if (!subject.scene) return subject;
   IntegratorOptions options;
   options.shadows = true;
@@ -24,6 +27,19 @@ Subject MakeSubject(const std::string& integrator, uint32_t seed) {
   }
   subject.integrator = std::move(*created);
   return subject;
+}
+
+}  // namespace
+
+Subject MakeSubject(const std::string& integrator, uint32_t seed) {
+  return WithIntegrator(integrator,
+                        testing_support::SceneOfText(integrator == "path" ? RandomDiffuseScene(seed)
+                                                                          : RandomScene(seed)));
+}
+
+Subject MakeMeshSubject(const std::string& integrator, uint32_t seed) {
+  return WithIntegrator(integrator,
+                        testing_support::SceneOfSpec(RandomMeshScene(seed, integrator == "path")));
 }
 
 std::vector<Placement> Placements() {

@@ -19,6 +19,9 @@ struct Subject {
 /// `whitted` with shadows and three bounces, or `path`, on a random scene that it takes.
 Subject MakeSubject(const std::string& integrator, uint32_t seed);
 
+/// The same on a random scene with meshes.
+Subject MakeMeshSubject(const std::string& integrator, uint32_t seed);
+
 /// A way to place samples, with a name for the test.
 struct Placement {
   std::string name;

@@ -65,6 +65,7 @@ class Gathering final : public Integrator {
  public:
   explicit Gathering(const Integrator& inner) : inner_(inner) {}
 
+  std::unique_ptr<Workspace> MakeWorkspace() const override { return inner_.MakeWorkspace(); }
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
              std::span<Spectrum> radiance) const override {
     if (!meeting_.Join()) has_failed_ = true;

@@ -34,6 +34,11 @@ std::unique_ptr<Scene> SceneOfText(const std::string& text, const std::filesyste
   return Compile(spec, &diagnostics);
 }
 
+std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec) {
+  Diagnostics diagnostics;
+  return Compile(spec, &diagnostics);
+}
+
 RenderOptions WholePicture(int width, int height) {
   RenderOptions options;
   options.width = width;

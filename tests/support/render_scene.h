@@ -10,6 +10,7 @@
 #include "integrators/integrator.h"
 #include "render/render_options.h"
 #include "scene/scene.h"
+#include "scene_spec/scene_spec.h"
 
 namespace candela::testing_support {
 
@@ -30,11 +31,12 @@ inline const CourseScene& CourseSceneOf(int number) {
   return kCourseScenes[number - 1];
 }
 
-/// Compiled from a file, or from text whose files lie in `folder`. Errors and warnings fail the
-/// test; null when there were errors.
+/// Compiled from a file, from text whose files lie in `folder`, or from a description. Errors and
+/// warnings fail the test; null when there were errors.
 std::unique_ptr<Scene> SceneOfFile(const std::filesystem::path& path);
 std::unique_ptr<Scene> SceneOfText(const std::string& text,
                                    const std::filesystem::path& folder = ".");
+std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec);
 
 /// One sample in the middle of each pixel, all of them rendered.
 RenderOptions WholePicture(int width, int height);

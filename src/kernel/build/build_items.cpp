@@ -67,6 +67,7 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
       item.steps = triangles->steps;
       item.vertex_count = triangles->positions.size() / triangles->steps;
       item.may_weld = item.steps == 1 && item.vertex_count >= item.count;
+      item.may_split = item.steps == 1 && !from.filter;
       const bool is_plain = item.steps == 1 && from.mask == kAnyRay && !from.filter;
       item.leaf = is_plain ? RecordKind::kTriangles : RecordKind::kCheckedTriangles;
     } else if (const auto* primitives = std::get_if<PrimitiveInput>(&from.content)) {

@@ -24,6 +24,10 @@ struct BuildItem {
   /// of moving ones, which may meet at one time step only.
   bool may_weld = false;
 
+  /// Whether a spatial split may cut it. A piece is tested where another piece is hit, too, at the
+  /// entry of its own box at least; a filter would be asked about hits that are not there.
+  bool may_split = false;
+
   bool IsMoving() const { return steps > 1; }
 
   Vec3 Position(uint32_t step, uint32_t vertex) const {

@@ -30,13 +30,13 @@ void Pieces::Cut(int axis) {
   if (first_ == last_) piece_[first_] = box_;
 }
 
-/// False when there is no triangle, or it is too large to calculate with.
+/// False when it may not be cut, or is too large to calculate with.
 bool Pieces::LoadTriangle() {
   if (is_loaded_) return std::isfinite(padding_);
   is_loaded_ = true;
   padding_ = Bounds3::kInfinity;
   const BuildItem& item = items_[FourthBits(box_.low)];
-  if (!item.triangles) return false;
+  if (!item.may_split) return false;
   const auto& vertices = item.triangles->triangles[FourthBits(box_.high)];
   for (size_t i = 0; i < 3; ++i) {
     corner_[i] = Load(item.Position(0, vertices[i]));

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "geometry/ray.h"
+#include "math/transform.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+/// A shape with its place in the world and what it is made of.
+struct SceneObject {
+  static constexpr uint32_t kNoLight = 0xFFFFFFFF;
+
+  std::shared_ptr<const Shape> shape;  ///< Objects of the same mesh share it.
+  /// The identity for triangles that are baked: they lie in the world, for nobody else.
+  Transform world_from_object, object_from_world;
+  uint32_t material = 0;
+  uint32_t light = kNoLight;  ///< The area light whose surface this is.
+  bool is_instance = false;   ///< Its triangles have a tree of their own, which it shares.
+  std::string type;           ///< As in the registry of shapes.
+  std::string description;    ///< For people: type and line in the scene file.
+
+  Ray ToObject(const Ray& ray) const {
+    // Member by member: a copy of the whole would wait until the last of them has been stored.
+    Ray local(object_from_world.Point(ray.origin), object_from_world.Vector(ray.direction));
+    local.t_min = ray.t_min;
+    local.t_max = ray.t_max;
+    local.time = ray.time;
+    local.mask = ray.mask;
+    return local;
+  }
+};
+
+}  // namespace candela

@@ -1,0 +1,68 @@
+#include "scene/scene_tree.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace candela {
+namespace {
+
+class SceneTreeBuilder {
+ public:
+  SceneTreeBuilder(std::span<const SceneObject> objects, std::span<const Mat4> world_from_object)
+      : objects_(objects), world_from_object_(world_from_object) {}
+
+  Result<SceneTree> Build() {
+    GroupInput input(objects_.size());
+    tree_.primitives.reserve(objects_.size());  // The group keeps their addresses.
+    for (size_t i = 0; i < objects_.size(); ++i) {
+      const auto triangles = objects_[i].shape->Triangles();
+      if (!triangles) {
+        tree_.primitives.emplace_back(objects_[i]);
+        input[i].content = PrimitiveInput{&tree_.primitives.back()};
+      } else if (!objects_[i].is_instance) {
+        input[i].content = *triangles;
+      } else {
+        auto group = GroupOf(objects_[i].shape.get(), *triangles);
+        if (!group) return group.error();
+        input[i].content = InstanceInput{*std::move(group), {world_from_object_[i]}};
+      }
+    }
+    auto group = Group::Build(std::move(input), {});
+    if (!group) return group.error();
+    tree_.group = *std::move(group);
+    return std::move(tree_);
+  }
+
+ private:
+  /// The group of a mesh in object space, built when it is asked for the first time.
+  Result<std::shared_ptr<const Group>> GroupOf(const Shape* shape, const TriangleInput& triangles) {
+    std::shared_ptr<const Group>& group = groups_[shape];
+    if (group) return group;
+    auto built = Group::Build({GroupItem{triangles}}, {});
+    if (!built) return built.error();
+    group = *std::move(built);
+    tree_.mesh_groups.push_back(group);
+    return group;
+  }
+
+  const std::span<const SceneObject> objects_;
+  const std::span<const Mat4> world_from_object_;
+  std::map<const Shape*, std::shared_ptr<const Group>> groups_;
+  SceneTree tree_;
+};
+
+}  // namespace
+
+uint64_t SceneTree::MemoryBytes() const {
+  uint64_t bytes = group->MemoryBytes() + primitives.capacity() * sizeof(ObjectPrimitive);
+  for (const auto& mesh : mesh_groups) bytes += mesh->MemoryBytes();
+  return bytes;
+}
+
+Result<SceneTree> BuildSceneTree(std::span<const SceneObject> objects,
+                                 std::span<const Mat4> world_from_object) {
+  return SceneTreeBuilder(objects, world_from_object).Build();
+}
+
+}  // namespace candela

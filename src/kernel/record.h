@@ -83,6 +83,9 @@ struct alignas(128) TriangleLeaf {
 };
 static_assert(sizeof(TriangleLeaf) == 128);
 
+/// Where the vertices of the first time step are in a `TriangleLeaf`.
+constexpr size_t kVertexOffset = offsetof(TriangleLeaf, vertex);
+
 /// Records of a triangle leaf with so many time steps.
 constexpr uint32_t TriangleLeafRecords(uint32_t steps) {
   return (32 + 96 * steps + 127) / 128;

@@ -91,7 +91,9 @@ template <class L>
   const uint32_t step = std::min(static_cast<uint32_t>(position), last);
   const float part = position - static_cast<float>(step);
   const F before = F::Broadcast(1 - part), after = F::Broadcast(part);
-  const float(*rows)[8] = leaf.vertex + 3 * step;
+  // The rows of further steps follow those in the record.
+  const std::byte* const first = reinterpret_cast<const std::byte*>(&leaf) + kVertexOffset;
+  const float(*rows)[8] = reinterpret_cast<const float(*)[8]>(first) + 3 * step;
   for (int axis = 0; axis < 3; ++axis) {
     (F::Load(rows[axis]) * before + F::Load(rows[axis + 3]) * after).Store(vertex[axis]);
   }

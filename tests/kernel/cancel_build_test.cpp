@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <string>
 #include <thread>
 
@@ -14,14 +15,6 @@
 
 namespace candela::test {
 namespace {
-
-/// Of all threads of this process: unlike the time on the wall, work of other processes is not in
-/// it.
-double CpuSeconds() {
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 TEST(CancelBuild, BeforeItBeginsStopsIt) {
   CancelToken cancel;
@@ -34,7 +27,39 @@ TEST(CancelBuild, BeforeItBeginsStopsIt) {
   }
 }
 
+TEST(CancelBuild, AtAnyMomentEndsItOneWayOrTheOther) {
+  const GroupDescription description = OfMesh(CurvedGrid(60, 0.3f));
+  int stopped = 0, built = 0;
+  for (int microseconds = 0; microseconds < 20'000; microseconds += 1000) {
+    for (const BuildQuality quality : {BuildQuality::kFast, BuildQuality::kBest}) {
+      CancelToken cancel;
+      BuildOptions options;
+      options.quality = quality;
+      options.cancel = &cancel;
+      std::thread teller([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+        cancel.Cancel();
+      });
+      const auto group = Build(description, options);
+      teller.join();
+      ++(group.ok() ? built : stopped);
+      if (!group.ok()) {
+        EXPECT_EQ(group.error().code, ErrorCode::kStopped);
+      }
+    }
+  }
+  EXPECT_EQ(stopped + built, 40);
+}
+
 #ifndef CANDELA_SANITIZED
+
+/// Of all threads of this process: unlike the time on the wall, work of other processes is not in
+/// it.
+double CpuSeconds() {
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
 
 // 10 million triangles; told after some work, from another thread. The work that is still done then
 // is that of two processors in half a second, at most.

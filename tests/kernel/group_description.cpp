@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "geometry/triangle.h"
@@ -11,35 +10,6 @@
 
 namespace candela::test {
 namespace {
-
-using BuiltGroups = std::map<const GroupDescription*, std::shared_ptr<const Group>>;
-
-Result<GroupInput> InputWith(const GroupDescription& description, const BuildOptions& options,
-                             BuiltGroups* built) {
-  GroupInput input;
-  for (const GroupDescription::Item& from : description.items) {
-    GroupItem item;
-    item.mask = from.mask;
-    item.filter = from.filter.get();
-    if (const auto* mesh = std::get_if<1>(&from.content)) {
-      item.content = TriangleInput{(*mesh)->positions, (*mesh)->triangles, (*mesh)->steps};
-    } else if (const auto* set = std::get_if<2>(&from.content)) {
-      item.content = PrimitiveInput{set->get()};
-    } else if (const auto* instance = std::get_if<3>(&from.content)) {
-      std::shared_ptr<const Group>& group = (*built)[instance->group.get()];
-      if (!group) {
-        auto inner = InputWith(*instance->group, options, built);
-        if (!inner) return inner.error();
-        auto inner_group = Group::Build(*std::move(inner), options);
-        if (!inner_group) return inner_group.error();
-        group = *std::move(inner_group);
-      }
-      item.content = InstanceInput{group, instance->world_from_group};
-    }
-    input.push_back(std::move(item));
-  }
-  return input;
-}
 
 /// Between two time steps. A vertex that is not finite at one of them is not a number.
 std::vector<Vec3> PositionsAt(const TestMesh& mesh, float time) {
@@ -149,9 +119,36 @@ GroupDescription OfMesh(TestMesh mesh) {
   return description;
 }
 
+Result<GroupInput> InputOf(const GroupDescription& description, const BuildOptions& options,
+                           BuiltGroups* built) {
+  GroupInput input;
+  for (const GroupDescription::Item& from : description.items) {
+    GroupItem item;
+    item.mask = from.mask;
+    item.filter = from.filter.get();
+    if (const auto* mesh = std::get_if<1>(&from.content)) {
+      item.content = TriangleInput{(*mesh)->positions, (*mesh)->triangles, (*mesh)->steps};
+    } else if (const auto* set = std::get_if<2>(&from.content)) {
+      item.content = PrimitiveInput{set->get()};
+    } else if (const auto* instance = std::get_if<3>(&from.content)) {
+      std::shared_ptr<const Group>& group = (*built)[instance->group.get()];
+      if (!group) {
+        auto inner = InputOf(*instance->group, options, built);
+        if (!inner) return inner.error();
+        auto inner_group = Group::Build(*std::move(inner), options);
+        if (!inner_group) return inner_group.error();
+        group = *std::move(inner_group);
+      }
+      item.content = InstanceInput{group, instance->world_from_group};
+    }
+    input.push_back(std::move(item));
+  }
+  return input;
+}
+
 Result<GroupInput> InputOf(const GroupDescription& description, const BuildOptions& options) {
   BuiltGroups built;
-  return InputWith(description, options, &built);
+  return InputOf(description, options, &built);
 }
 
 Result<std::unique_ptr<Group>> Build(const GroupDescription& description,

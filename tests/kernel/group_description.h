@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -32,7 +33,11 @@ struct GroupDescription {
 
 GroupDescription OfMesh(TestMesh mesh);
 
-/// The input of a group; builds the groups inside, each of them once.
+using BuiltGroups = std::map<const GroupDescription*, std::shared_ptr<const Group>>;
+
+/// The input of a group; builds the groups inside that are not among those that were built before.
+Result<GroupInput> InputOf(const GroupDescription& description, const BuildOptions& options,
+                           BuiltGroups* built);
 Result<GroupInput> InputOf(const GroupDescription& description, const BuildOptions& options);
 
 Result<std::unique_ptr<Group>> Build(const GroupDescription& description,

@@ -19,8 +19,8 @@ foreach(object IN LISTS OBJECTS)
   string(REPLACE "\n" ";" symbols "${symbols}")
   set(shared "")
   foreach(symbol IN LISTS symbols)
-    # W, V and u: weak functions, weak data, and data of which there is one in a process.
-    if(symbol MATCHES "^[0-9a-f]+ [WVu] (.*)$")
+    # W: weak functions. Data may be shared: it is the same for all processors.
+    if(symbol MATCHES "^[0-9a-f]+ W (.*)$")
       set(name "${CMAKE_MATCH_1}")
       if(NOT name MATCHES "candela::kernel::${isa}::")
         string(APPEND shared "\n  ${name}")

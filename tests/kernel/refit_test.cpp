@@ -12,56 +12,107 @@
 namespace candela::test {
 namespace {
 
-/// Meshes at rest and moving, spheres, and instances of one group; other places for other seeds,
-/// the same structure always.
-GroupDescription Arrangement(const std::shared_ptr<const GroupDescription>& inner, uint32_t seed) {
-  UniformNumbers random(seed);
-  const auto moved = [&] { return Mat4::Translate(ToDouble(RandomPoint(&random))); };
-  GroupDescription group;
-  group.Add(Moved(BumpyGlobe(12, 16, 0.3f, &random), 0.5f, RandomPoint(&random)));
-  group.Add(
-      InMotion(Moved(CurvedGrid(8, random.Next()), 0.7f, RandomPoint(&random)), 3, 0.3f, &random));
-  group.Add(Soup(100, 0.1f, 0.5f, &random));
-  std::vector<SphereSet::Sphere> spheres;
-  for (int i = 0; i < 30; ++i) {
-    spheres.push_back({{RandomPoint(&random)}, 0.01f + 0.1f * random.Next()});
+/// Meshes at rest and moving, spheres, and instances of one group: each time elsewhere, with the
+/// same structure.
+class Arrangement {
+ public:
+  const GroupDescription& Next() {
+    group_ = {};
+    group_.Add(Moved(BumpyGlobe(12, 16, 0.3f, &random_), 0.5f, RandomPoint(&random_)));
+    const TestMesh grid = Moved(CurvedGrid(8, random_.Next()), 0.7f, RandomPoint(&random_));
+    group_.Add(InMotion(grid, 3, 0.3f, &random_));
+    group_.Add(Soup(100, 0.1f, 0.5f, &random_));
+    std::vector<SphereSet::Sphere> spheres;
+    for (int i = 0; i < 30; ++i) {
+      spheres.push_back({{RandomPoint(&random_)}, 0.01f + 0.1f * random_.Next()});
+    }
+    spheres_->Replace(std::move(spheres));
+    group_.items.push_back({spheres_, kAnyRay, nullptr});
+    for (int i = 0; i < 5; ++i) {
+      std::vector<Mat4> matrices = {RandomMove()};
+      if (i % 2 == 1) matrices.push_back(RandomMove());
+      group_.items.push_back({GroupDescription::Instance{inner_, matrices}, kAnyRay, nullptr});
+    }
+    return group_;
   }
-  group.items.push_back({std::make_shared<SphereSet>(spheres), kAnyRay, nullptr});
-  for (int i = 0; i < 5; ++i) {
-    std::vector<Mat4> matrices = {moved()};
-    if (i % 2 == 1) matrices.push_back(moved());
-    group.items.push_back({GroupDescription::Instance{inner, matrices}, kAnyRay, nullptr});
+
+ private:
+  Mat4 RandomMove() { return Mat4::Translate(ToDouble(RandomPoint(&random_))); }
+
+  UniformNumbers random_{1};
+  std::shared_ptr<SphereSet> spheres_ =
+      std::make_shared<SphereSet>(std::vector<SphereSet::Sphere>());
+  std::shared_ptr<const GroupDescription> inner_ =
+      std::make_shared<GroupDescription>(OfMesh(Moved(Star(6, 9, 3), 0.3f, {})));
+  GroupDescription group_;
+};
+
+int CountWrong(const Group& group, const GroupDescription& description,
+               const std::vector<Ray>& rays, const std::string& where) {
+  int wrong = 0;
+  for (const Entry entry : kEntries) {
+    const auto hits = IntersectList(group, entry, rays);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      HitRecord right;
+      right.t = rays[i].t_max;
+      IntersectAll(description, rays[i], &right);
+      if (IsSame(hits[i], right) || ++wrong > 1) continue;
+      ADD_FAILURE() << where << ", " << ToString(entry) << ": " << ToString(rays[i]) << "\n  found "
+                    << ToString(hits[i]) << "\n  right " << ToString(right);
+    }
   }
-  return group;
+  return wrong;
 }
 
 TEST(Refit, AnswersForTheNewPlaces) {
-  const auto inner = std::make_shared<GroupDescription>(OfMesh(Moved(Star(6, 9, 3), 0.3f, {})));
   for (const BuildOptions& options : AllBuildOptions()) {
-    const auto group = MustBuild(Arrangement(inner, 0), options);
-    for (uint32_t seed = 1; seed < 5; ++seed) {
-      const GroupDescription arrangement = Arrangement(inner, seed);
-      auto input = InputOf(arrangement, options);
+    Arrangement arrangement;
+    BuiltGroups built;
+    auto first = InputOf(arrangement.Next(), options, &built);
+    ASSERT_TRUE(first.ok());
+    const auto group = Group::Build(*std::move(first), options);
+    ASSERT_TRUE(group.ok());
+    UniformNumbers random(2);
+    for (int i = 0; i < 5; ++i) {
+      const GroupDescription& moved = arrangement.Next();
+      const auto input = InputOf(moved, options, &built);
       ASSERT_TRUE(input.ok());
-      const auto done = group->Refit(*input);
+      const auto done = (*group)->Refit(*input);
       ASSERT_TRUE(done.ok()) << done.error().message;
-
-      UniformNumbers random(seed);
-      const std::vector<Ray> rays = RandomRays(arrangement, 500, &random);
-      int wrong = 0;
-      for (const Entry entry : kEntries) {
-        const auto hits = IntersectList(*group, entry, rays);
-        for (size_t i = 0; i < rays.size(); ++i) {
-          HitRecord right;
-          right.t = rays[i].t_max;
-          IntersectAll(arrangement, rays[i], &right);
-          if (IsSame(hits[i], right) || ++wrong > 1) continue;
-          ADD_FAILURE() << ToString(options) << ", " << ToString(entry) << ": " << ToString(rays[i])
-                        << "\n  found " << ToString(hits[i]) << "\n  right " << ToString(right);
-        }
-      }
-      EXPECT_EQ(wrong, 0);
+      const std::vector<Ray> rays = RandomRays(moved, 500, &random);
+      EXPECT_EQ(CountWrong(**group, moved, rays, ToString(options)), 0);
     }
+  }
+}
+
+// The triangles of one leaf are moved apart, and those that were split are elsewhere.
+TEST(Refit, OfATreeThatFitsNoMoreIsSlowButRight) {
+  UniformNumbers random(3);
+  const TestMesh before = Join({Soup(300, 1e-3f, 2, &random), Slivers(100, 1e-3f, &random)});
+  TestMesh after = before;
+  for (Vec3& p : after.positions) p = RandomPoint(&random);
+  const GroupDescription moved = OfMesh(after);
+  const std::vector<Ray> rays = RandomRays(moved, 500, &random);
+  for (const BuildOptions& options : AllBuildOptions()) {
+    const auto group = MustBuild(OfMesh(before), options);
+    const auto input = InputOf(moved, options);
+    ASSERT_TRUE(input.ok() && group->Refit(*input).ok());
+    EXPECT_EQ(CountWrong(*group, moved, rays, ToString(options)), 0);
+  }
+}
+
+TEST(Refit, ToAnotherNumberOfTrianglesFailsAndChangesNothing) {
+  const GroupDescription globe = OfMesh(Globe(10, 10)), smaller = OfMesh(Globe(5, 5));
+  UniformNumbers random(4);
+  const std::vector<Ray> rays = RandomRays(globe, 200, &random);
+  for (const BuildOptions& options : AllBuildOptions()) {
+    const auto group = MustBuild(globe, options);
+    const auto input = InputOf(smaller, options);
+    ASSERT_TRUE(input.ok());
+    const auto done = group->Refit(*input);
+    ASSERT_FALSE(done.ok());
+    EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+    EXPECT_EQ(CountWrong(*group, globe, rays, ToString(options)), 0);
   }
 }
 

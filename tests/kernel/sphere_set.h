@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,6 +17,9 @@ class SphereSet : public PrimitiveSet {
     float radius;
   };
   explicit SphereSet(std::vector<Sphere> spheres) : spheres_(std::move(spheres)) {}
+
+  /// For groups that are refitted.
+  void Replace(std::vector<Sphere> spheres) { spheres_ = std::move(spheres); }
 
   uint32_t PrimitiveCount() const override { return static_cast<uint32_t>(spheres_.size()); }
   uint32_t TimeSteps() const override {

@@ -9,8 +9,7 @@ GroupItem MeshItem(const TriangleMesh& mesh) {
   return {.content = TriangleInput{mesh.positions, mesh.triangles}};
 }
 
-Result<std::shared_ptr<const Group>> BuildGroup(GroupInput input, BuildQuality quality,
-                                                int width) {
+Result<std::shared_ptr<const Group>> BuildGroup(GroupInput input, BuildQuality quality, int width) {
   BuildOptions options;
   options.quality = quality;
   options.width = width;

@@ -78,8 +78,8 @@ void AddSpeeds(const SceneResult& scene, const std::string& name, Mode base, Tab
       cells.push_back(Factor(set.Ratio(mode, base)));
     }
     cells.push_back(Factor(set.Ratio(kOurPacket, kEmbreePacket)));
-    cells.push_back(Factor(std::max({set.Ratio(kOurSingle, base), set.Ratio(kOurBatch, base),
-                                     set.Ratio(kOurPacket, base)})));
+    cells.push_back(Factor(std::max(
+        {set.Ratio(kOurSingle, base), set.Ratio(kOurBatch, base), set.Ratio(kOurPacket, base)})));
     table->Add(std::move(cells));
   }
 }

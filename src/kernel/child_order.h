@@ -15,8 +15,8 @@ template <int W>
   for (int line = 0; line < bytes; line += 64) __builtin_prefetch(address + line);
 }
 
-/// What a search looks at next. Its distance stays apart from the reference, which is known earlier and
-/// is what the next load waits for.
+/// What a search looks at next. Its distance stays apart from the reference, which is known earlier
+/// and is what the next load waits for.
 struct NextChild {
   Reference reference;
   float entry;
@@ -28,8 +28,8 @@ struct NextChild {
 /// fetched before the distances are known.
 template <int W, bool kPrefetch, class F>
 [[gnu::always_inline]] inline NextChild OrderChildren(uint32_t bits, F entries,
-                                                      const Reference* child,
-                                                      const Record* records, NodeStack* stack) {
+                                                      const Reference* child, const Record* records,
+                                                      NodeStack* stack) {
   alignas(64) float entry[F::kCount];
   entries.Store(entry);
   const int first = std::countr_zero(bits);
@@ -76,8 +76,8 @@ template <int W, bool kPrefetch, class F>
 /// The same without an order, for searches that any hit ends.
 template <int W, class F>
 [[gnu::always_inline]] inline NextChild KeepChildren(uint32_t bits, F entries,
-                                                     const Reference* child,
-                                                     const Record* records, NodeStack* stack) {
+                                                     const Reference* child, const Record* records,
+                                                     NodeStack* stack) {
   alignas(64) float entry[F::kCount];
   entries.Store(entry);
   const int first = std::countr_zero(bits);

@@ -26,8 +26,8 @@ struct BuildOptions {
   BuildQuality quality = BuildQuality::kFast;
   Isa isa = DefaultIsa();
   const CancelToken* cancel = nullptr;  ///< May be null.
-  /// Children of a node: 8, or 16 with AVX-512. Renderers trace lists of rays, which are faster with
-  /// 8; who traces single rays gains with 16. The answers are the same.
+  /// Children of a node: 8, or 16 with AVX-512. Renderers trace lists of rays, which are faster
+  /// with 8; who traces single rays gains with 16. The answers are the same.
   int width = 8;
 };
 

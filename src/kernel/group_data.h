@@ -34,7 +34,8 @@ struct GroupData {
   static constexpr Reference kNothing = 0xFFFFFFFF;
 
   Arena records;
-  Reference root = kNothing;  ///< A node, or a leaf where there is only one; kNothing without items.
+  Reference root =
+      kNothing;  ///< A node, or a leaf where there is only one; kNothing without items.
   /// The index, in its item, of each triangle of the leaves: see `TriangleLeaf::first`.
   std::vector<uint32_t> triangle_ids;
   std::vector<ItemFacts> items;

@@ -42,8 +42,8 @@ struct InstanceInput {
 struct GroupItem {
   /// Nothing keeps the index free.
   std::variant<std::monostate, TriangleInput, PrimitiveInput, InstanceInput> content;
-  uint32_t mask = kAnyRay;             ///< Kinds of rays that see it.
-  const HitFilter* filter = nullptr;   ///< Null: every hit counts. Has to outlive the group.
+  uint32_t mask = kAnyRay;            ///< Kinds of rays that see it.
+  const HitFilter* filter = nullptr;  ///< Null: every hit counts. Has to outlive the group.
 };
 
 /// What a group is made of. The index of an item is what a hit names.

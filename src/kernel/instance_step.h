@@ -7,8 +7,8 @@ namespace candela::kernel {
 /// The map into a moving instance's group at a time. Compiled once, for all instruction sets.
 Transform GroupFromWorldAt(const ItemFacts& facts, float time);
 
-/// Takes the ray into the group of an instance: the group's tree goes on the stack above a mark, and
-/// t stays what it is.
+/// Takes the ray into the group of an instance: the group's tree goes on the stack above a mark,
+/// and t stays what it is.
 template <class L>
 void EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
   const ItemFacts& facts = search->group->items[leaf.item];

@@ -28,9 +28,9 @@ float JustAbove(float t) {
 struct Nearest {
   float t;  ///< Hits up to here, included, are of interest.
   float u, v;
-  uint32_t item;              ///< HitRecord::kNone: there is none.
-  const uint32_t* primitive;  ///< Where its index is: read only when it is needed.
-  int level;                  ///< Groups that were entered on the way to it.
+  uint32_t item;                          ///< HitRecord::kNone: there is none.
+  const uint32_t* primitive;              ///< Where its index is: read only when it is needed.
+  int level;                              ///< Groups that were entered on the way to it.
   uint32_t path[HitRecord::kMostNested];  ///< The items of those groups, outermost first.
 
   /// As it is reported.
@@ -41,7 +41,8 @@ struct Nearest {
     hit->object = item;
     hit->primitive = *primitive;
     for (uint32_t& inner : hit->nested) inner = HitRecord::kNone;
-    if (level == 0) [[likely]] return;
+    if (level == 0) [[likely]]
+      return;
     hit->object = path[0];
     for (int i = 1; i < level; ++i) hit->nested[i - 1] = path[i];
     hit->nested[level - 1] = item;
@@ -52,21 +53,21 @@ struct Nearest {
 /// - Everything that may hold a hit not farther than `nearest.t` is the current reference, on the
 ///   stack, or below something there.
 /// - A box is left out only when its entry lies beyond `nearest.t`, or it is missed. A hit found in
-///   a leaf counts at the entry of the leaf's box at least. (Of a triangle that was split, the piece
-///   that is met has the nearest.) So a hit is never lost because another one was found earlier,
-///   whatever rounding did to their distances, and the answer does not depend on the order of
-///   visits.
+///   a leaf counts at the entry of the leaf's box at least. (Of a triangle that was split, the
+///   piece that is met has the nearest.) So a hit is never lost because another one was found
+///   earlier, whatever rounding did to their distances, and the answer does not depend on the order
+///   of visits.
 /// - References on the stack above the mark of a level belong to the group of that level.
 template <class L>
 struct Search {
   static constexpr int kWidth = L::kWidth;
 
-  const Ray* asked;         ///< As it came, in the space of the outermost group.
-  const GroupData* group;   ///< The one that is being searched,
-  const Record* records;    ///< its records,
-  SpaceRay space;           ///< and the ray in its space.
+  const Ray* asked;        ///< As it came, in the space of the outermost group.
+  const GroupData* group;  ///< The one that is being searched,
+  const Record* records;   ///< its records,
+  SpaceRay space;          ///< and the ray in its space.
   Nearest nearest;
-  NextChild current;        ///< What is looked at next, when many rays take turns.
+  NextChild current;  ///< What is looked at next, when many rays take turns.
   int level = 0;
   uint32_t path[HitRecord::kMostNested];
   NodeStack stack;
@@ -133,8 +134,8 @@ struct Search {
     return primitive < *nearest.primitive;
   }
 
-  /// The distance at which a hit at `t` in a leaf that the ray enters at `entry` counts; a miss when
-  /// it lies before the ray's beginning or beyond the nearest hit.
+  /// The distance at which a hit at `t` in a leaf that the ray enters at `entry` counts; a miss
+  /// when it lies before the ray's beginning or beyond the nearest hit.
   bool Counts(float entry, float* t) const {
     if (!(*t >= space.slabs.t_min)) return false;  // NaN is a miss.
     if (*t < entry) *t = entry;

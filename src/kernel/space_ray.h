@@ -40,9 +40,8 @@ struct SpaceRay {
   [[gnu::always_inline]] void Set(Vec3 origin, Vec3 direction, float t_min, float largest) {
     sheared.Set(origin, direction);
     slabs.t_min = t_min + 0.0f;  // Turns -0 into 0, whose bits are ordered like the others.
-    const float farthest =
-        std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
-                 std::max(std::abs(origin.z), largest));
+    const float farthest = std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
+                                    std::max(std::abs(origin.z), largest));
     const bool is_usual = farthest <= kUsualCoordinate;
     SetAxis<L>(0, origin.x, direction.x, is_usual, farthest);
     SetAxis<L>(1, origin.y, direction.y, is_usual, farthest);
@@ -64,9 +63,9 @@ struct SpaceRay {
     float slope = 1 / direction;
     float least_slack = std::numeric_limits<float>::min();  // Roundings of tiny numbers.
     if (!(is_usual && std::abs(slope) <= kUsualSlope)) [[unlikely]] {
-      // As steep as the coordinates allow. A ray along a slab would then leave it early, in the plane
-      // of a face at once: let it stay as long as anything can be away. (Finite, since the boxes of
-      // children that are not there are infinite. Coordinates beyond 1e37 are too far.)
+      // As steep as the coordinates allow. A ray along a slab would then leave it early, in the
+      // plane of a face at once: let it stay as long as anything can be away. (Finite, since the
+      // boxes of children that are not there are infinite. Coordinates beyond 1e37 are too far.)
       const float steepest = 1e37f / std::max(1.0f, farthest);
       slope = std::copysign(std::min(std::abs(slope), steepest), direction);
       least_slack = std::min(4 * (farthest / std::abs(sheared.direction[sheared.kz])), 8e37f);

@@ -27,7 +27,7 @@ struct TraceFunctions {
 extern const TraceFunctions kScalarFunctions;
 #ifdef CANDELA_X86
 extern const TraceFunctions kAvx2Functions;
-extern const TraceFunctions kAvx512Functions;    ///< For nodes of 8,
+extern const TraceFunctions kAvx512Functions;     ///< For nodes of 8,
 extern const TraceFunctions kAvx512x16Functions;  ///< and of 16.
 #endif
 

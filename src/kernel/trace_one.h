@@ -9,16 +9,18 @@
 
 namespace candela::kernel {
 
-/// Looks at something that is neither a node nor a plain triangle leaf. True when the search is over.
+/// Looks at something that is neither a node nor a plain triangle leaf. True when the search is
+/// over.
 template <class L, bool kAny>
 [[gnu::noinline]] bool VisitOther(Reference reference, float entry, Search<L>* search) {
   const Record* record = search->records + RecordOf(reference);
   switch (KindOf(reference)) {
     case RecordKind::kCheckedTriangles:
-      return TestCheckedTriangles<L, kAny>(*reinterpret_cast<const TriangleLeaf*>(record),
-                                           entry, search);
+      return TestCheckedTriangles<L, kAny>(*reinterpret_cast<const TriangleLeaf*>(record), entry,
+                                           search);
     case RecordKind::kPrimitives:
-      return TestPrimitives<L, kAny>(*reinterpret_cast<const PrimitiveLeaf*>(record), entry, search);
+      return TestPrimitives<L, kAny>(*reinterpret_cast<const PrimitiveLeaf*>(record), entry,
+                                     search);
     case RecordKind::kInstance:
       EnterInstance<L>(*reinterpret_cast<const InstanceLeaf*>(record), search);
       return false;
@@ -28,9 +30,8 @@ template <class L, bool kAny>
     case RecordKind::kMovingNode: {
       using F = typename L::Node;
       const auto& node = *reinterpret_cast<const MovingNode<L::kWidth>*>(record);
-      const auto hits =
-          TestBoxes(WideSlabs<F>(search->space.slabs), search->space.slabs, node,
-                    F::Broadcast(search->nearest.t), search->Time());
+      const auto hits = TestBoxes(WideSlabs<F>(search->space.slabs), search->space.slabs, node,
+                                  F::Broadcast(search->nearest.t), search->Time());
       const uint32_t bits = hits.mask.Bits();
       if (bits == 0) return false;
       NodeStack* stack = &search->stack;
@@ -64,8 +65,7 @@ void Finish(Search<L>* search) {
       NextChild next = {ReferenceOf(top), EntryOf(top)};
       bool is_missed = false;
       while (IsNode(next.reference)) {
-        const auto& node =
-            *reinterpret_cast<const WideNode<L::kWidth>*>(records + next.reference);
+        const auto& node = *reinterpret_cast<const WideNode<L::kWidth>*>(records + next.reference);
         const auto hits = TestBoxes(wide, slabs, node, F::Broadcast(search->nearest.t));
         const uint32_t bits = hits.mask.Bits();
         is_missed = bits == 0;

@@ -160,8 +160,8 @@ class PacketSearch {
       const uint32_t row = near_row_[axis];
       enter[axis] = FusedSubtract(P::Broadcast(node.box[row][lane]), P::Load(near_scale_[axis]),
                                   P::Load(near_offset_[axis]));
-      leave[axis] = FusedSubtract(P::Broadcast(node.box[row ^ 1][lane]),
-                                  P::Load(far_scale_[axis]), P::Load(far_offset_[axis]));
+      leave[axis] = FusedSubtract(P::Broadcast(node.box[row ^ 1][lane]), P::Load(far_scale_[axis]),
+                                  P::Load(far_offset_[axis]));
     }
     const P entry = Max(Max(enter[0], enter[1]), Max(enter[2], P::Load(t_min_)));
     const P exit = Min(Min(leave[0], leave[1]), Min(leave[2], P::Load(limit_)));
@@ -249,8 +249,8 @@ class PacketSearch {
       const P area_b = ax * cy - ay * cx;
       const P area_c = bx * ay - by * ax;
       const P zero = P::Broadcast(0);
-      const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
-                            (zero < Max(Max(area_a, area_b), area_c));
+      const auto is_mixed =
+          (Min(Min(area_a, area_b), area_c) < zero) & (zero < Max(Max(area_a, area_b), area_c));
       const uint32_t candidates = rays & (kAny ? active_ : ~0u) & ~is_mixed.Bits();
       if (candidates == 0) return;
       alignas(64) float areas[3][kRays];
@@ -278,7 +278,8 @@ class PacketSearch {
 
   uint32_t active_ = 0;  ///< Bit i: ray i still looks for hits.
   const Record* records_ = nullptr;
-  /// The same for all rays. Copies: a ray whose search has ended may be in the space of an instance.
+  /// The same for all rays. Copies: a ray whose search has ended may be in the space of an
+  /// instance.
   uint32_t near_row_[3];
   int kx_ = 0, ky_ = 1, kz_ = 2;
   float farthest_ = 0, nearest_t_min_ = 0;

@@ -8,11 +8,11 @@
 
 namespace candela::kernel {
 
-/// Many rays in flight on one thread, each taking one step in its turn: while one waits for its next
-/// record to come from memory, the others work. After Kocberber, Falsafi and Grot, "Asynchronous
-/// Memory Access Chaining", 2015. Since turns leave no pattern that a branch predictor could learn,
-/// steps have as few branches as possible: rays that look at the same kind of record take their
-/// turns together, and children are put in order by a sorting network.
+/// Many rays in flight on one thread, each taking one step in its turn: while one waits for its
+/// next record to come from memory, the others work. After Kocberber, Falsafi and Grot,
+/// "Asynchronous Memory Access Chaining", 2015. Since turns leave no pattern that a branch
+/// predictor could learn, steps have as few branches as possible: rays that look at the same kind
+/// of record take their turns together, and children are put in order by a sorting network.
 template <class L, bool kAny>
 class SpanSearch {
  public:
@@ -40,8 +40,8 @@ class SpanSearch {
       ForAllOf(kOthers, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
         for (uint32_t k = 0; k < kCount; ++k) {
           Search<L>* search = &slots_[slots[k]].search;
-          const bool is_over = VisitOther<L, kAny>(search->current.reference,
-                                                   search->current.entry, search);
+          const bool is_over =
+              VisitOther<L, kAny>(search->current.reference, search->current.entry, search);
           if (kAny && is_over) search->stack.size = 0;
           Advance(slots[k], limit, report);
         }
@@ -156,16 +156,15 @@ class SpanSearch {
       } else {
         if (count[k] > 8) [[unlikely]] {
           NodeStack* stack = &search[k]->stack;
-          const NextChild next = OrderChildren<L::kWidth, false>(
-              bits, entry[k], node[k]->child, search[k]->records, stack);
+          const NextChild next = OrderChildren<L::kWidth, false>(bits, entry[k], node[k]->child,
+                                                                 search[k]->records, stack);
           stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
           count[k] = 0;
         }
         near[k] = Compact(entry[k], mask[k]);
         child[k] = Compact(children, mask[k]);
         if (kAny) continue;  // Whatever is hit ends the search: the order counts for little.
-        const auto order =
-            OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
+        const auto order = OrderFarToNear(near[k], L::Leaf::Mask::FromBits((1u << count[k]) - 1));
         near[k] = Permute(near[k], order);
         child[k] = Permute(child[k], order);
       }

@@ -16,10 +16,10 @@ template <class L>
                                                  const float (*vertex)[8], float (*areas)[8]) {
   using F = typename L::Leaf;
   const F to_z = F::Load(vertex[ray.kz]) - F::Broadcast(ray.origin_z);
-  const F x = (F::Load(vertex[ray.kx]) - F::Broadcast(ray.origin_x)) +
-              to_z * F::Broadcast(ray.shear_x);
-  const F y = (F::Load(vertex[ray.ky]) - F::Broadcast(ray.origin_y)) +
-              to_z * F::Broadcast(ray.shear_y);
+  const F x =
+      (F::Load(vertex[ray.kx]) - F::Broadcast(ray.origin_x)) + to_z * F::Broadcast(ray.shear_x);
+  const F y =
+      (F::Load(vertex[ray.ky]) - F::Broadcast(ray.origin_y)) + to_z * F::Broadcast(ray.shear_y);
 
   const auto corner_a = L::Index::Unpack(leaf.corner[0]);
   const auto corner_b = L::Index::Unpack(leaf.corner[1]);
@@ -36,8 +36,8 @@ template <class L>
 
   // A triangle is out when it has areas of both signs. What is not a number decides nothing.
   const F zero = F::Broadcast(0);
-  const auto is_mixed = (Min(Min(area_a, area_b), area_c) < zero) &
-                        (zero < Max(Max(area_a, area_b), area_c));
+  const auto is_mixed =
+      (Min(Min(area_a, area_b), area_c) < zero) & (zero < Max(Max(area_a, area_b), area_c));
   return leaf.lanes & ~is_mixed.Bits();
 }
 
@@ -73,9 +73,8 @@ template <class L, bool kAny, bool kChecked>
 }
 
 template <class L, bool kAny, bool kChecked>
-[[gnu::always_inline]] inline bool TestTriangles(const TriangleLeaf& leaf,
-                                                 const float (*vertex)[8], float entry,
-                                                 Search<L>* search) {
+[[gnu::always_inline]] inline bool TestTriangles(const TriangleLeaf& leaf, const float (*vertex)[8],
+                                                 float entry, Search<L>* search) {
   alignas(32) float areas[3][8];
   const uint32_t bits = TestEdges<L>(search->space.sheared, leaf, vertex, areas);
   return FinishTriangles<L, kAny, kChecked>(bits, areas, leaf, vertex, entry, search);

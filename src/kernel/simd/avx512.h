@@ -40,12 +40,8 @@ struct Float8 {
   }
   friend Float8 Min(Float8 a, Float8 b) { return {_mm256_min_ps(a.v, b.v)}; }
   friend Float8 Max(Float8 a, Float8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-  friend Mask operator<(Float8 a, Float8 b) {
-    return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
-  }
-  friend Mask operator<=(Float8 a, Float8 b) {
-    return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)};
-  }
+  friend Mask operator<(Float8 a, Float8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
+  friend Mask operator<=(Float8 a, Float8 b) { return {_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
   friend Float8 Permute(Float8 from, Index8 index) {
     return {_mm256_permutevar8x32_ps(from.v, index.v)};
   }
@@ -74,9 +70,7 @@ struct Float16 {
   }
   friend Float16 Min(Float16 a, Float16 b) { return {_mm512_min_ps(a.v, b.v)}; }
   friend Float16 Max(Float16 a, Float16 b) { return {_mm512_max_ps(a.v, b.v)}; }
-  friend Mask operator<(Float16 a, Float16 b) {
-    return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
-  }
+  friend Mask operator<(Float16 a, Float16 b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
   friend Mask operator<=(Float16 a, Float16 b) {
     return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)};
   }
@@ -90,9 +84,7 @@ inline Float8 Compact(Float16 a, Float16::Mask mask) {
 struct Double16 {
   __m512d low, high;
 
-  static Double16 Broadcast(double value) {
-    return {_mm512_set1_pd(value), _mm512_set1_pd(value)};
-  }
+  static Double16 Broadcast(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
   friend Double16 operator+(Double16 a, Double16 b) {
     return {_mm512_add_pd(a.low, b.low), _mm512_add_pd(a.high, b.high)};
   }

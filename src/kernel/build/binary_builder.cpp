@@ -20,6 +20,9 @@ constexpr double kLeastOwnOverlap = 0.2;
 
 constexpr uint32_t kLeastToSplit = 8;
 
+/// After so many tries that were not worth it, one below the other, there are no more.
+constexpr uint32_t kMostVainTries = 3;
+
 /// And made when it lowers the cost at least to this part of that of the object split.
 constexpr float kLeastGain = 0.99f;
 
@@ -31,6 +34,7 @@ struct Range {
   uint32_t node;
   uint32_t begin, end, limit;
   uint32_t depth;
+  uint32_t vain_tries;  ///< To split triangles, one after the other from here upwards.
   Box4 box, centers;
 
   uint32_t Count() const { return end - begin; }
@@ -146,6 +150,7 @@ class Builder {
     left->node = 2 * pair;
     right->node = 2 * pair + 1;
     left->depth = right->depth = range.depth + 1;
+    left->vain_tries = right->vain_tries = range.vain_tries;
     DivideFragments(range, worker, left, right);
     left->centers = CentersOf(*left, worker);
     right->centers = CentersOf(*right, worker);
@@ -181,7 +186,7 @@ class Builder {
   bool TrySpatialSplit(const Range& range, const ObjectSplit& object_split, int worker, Range* left,
                        Range* right) {
     if (!options_.split_triangles || range.limit == range.end) return false;
-    if (range.Count() < kLeastToSplit) return false;
+    if (range.Count() < kLeastToSplit || range.vain_tries == kMostVainTries) return false;
     if (object_split.IsFound()) {
       const Box4 overlap{Max(object_split.left.low, object_split.right.low),
                          Min(object_split.left.high, object_split.right.high)};
@@ -189,12 +194,14 @@ class Builder {
       if (area <= least_overlap_) return false;
       if (area <= kLeastOwnOverlap * range.box.ToBounds().HalfArea()) return false;
     }
+    left->vain_tries = right->vain_tries = range.vain_tries + 1;
     const SlabMapping mapping(range.box);
     const SpatialSplit split = FindSpatialSplit(range, worker, mapping);
     const uint32_t count = split.left_count + split.right_count;
     if (!(split.cost < kLeastGain * object_split.cost) || count > range.limit - range.begin)
       return false;
 
+    left->vain_tries = right->vain_tries = 0;
     Range both = range;
     both.end = range.begin + count;
     CutAndMark(range, mapping, split, both.end);
@@ -356,7 +363,7 @@ BinaryTree BuildBinaryTree(const std::vector<BuildItem>& items, FragmentList* li
       static_cast<uint32_t>(PairNumbers::Most(list->capacity, static_cast<size_t>(ThreadCount())));
   tree.nodes = PageArray<BinaryNode>(2 * static_cast<size_t>(tree.most_pairs));
   Builder(items, *list, options, &tree)
-      .Build({BinaryTree::kRoot, 0, list->count, list->capacity, 0, list->box, list->centers});
+      .Build({BinaryTree::kRoot, 0, list->count, list->capacity, 0, 0, list->box, list->centers});
   return tree;
 }
 

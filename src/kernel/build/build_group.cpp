@@ -17,6 +17,9 @@ namespace {
 /// Room for pieces of triangles: so many times the number of triangles.
 constexpr double kGrowth = 1.6;
 
+/// So that their pieces, and pairs of nodes, can be numbered.
+constexpr uint64_t kMostPrimitives = 1u << 30;
+
 /// A binary tree, and what becomes of it.
 struct ChosenNodes {
   BinaryTree tree;
@@ -32,6 +35,13 @@ class GroupBuilder {
 
   Result<GroupData> Build() {
     if (const Result<void> facts = CopyFacts(); !facts) return facts.error();
+    uint64_t total = 0;
+    for (const BuildItem& item : items_) total += item.count;
+    if (total > kMostPrimitives) {
+      return Error{
+          ErrorCode::kResources,
+          "the scene is too large: one group can have 2^30 triangles and other primitives"};
+    }
     // Usually the first tree is it. One that a search would need a large stack for is built again,
     // flatter: at last simply halved, down from the root.
     FragmentList lists[2];

@@ -94,13 +94,22 @@ void SpatialBins::Add(const Fragment* begin, const Fragment* end, const SlabMapp
                       const std::vector<BuildItem>& items) {
   Pieces pieces(items, mapping);
   for (const Fragment* fragment = begin; fragment != end; ++fragment) {
+    const Box4 box = fragment->Box();
+    const Int4 first = mapping.SlabsOf(box.low, 0, kSpatialBins - 1);
+    const Int4 last = mapping.SlabsOf(box.high, 0, kSpatialBins - 1);
+    const Int4 differs = first ^ last;
+    if ((differs[0] | differs[1] | differs[2]) == 0) {  // Most are small: nothing to cut.
+      for (int axis = 0; axis < 3; ++axis) {
+        box_[axis][first[axis]].Extend(box);
+        ++whole_[axis][first[axis]];
+      }
+      continue;
+    }
     pieces.Take(*fragment);
     for (int axis = 0; axis < 3; ++axis) {
-      if (pieces.IsInOneSlab(axis)) {
-        const int slab = pieces.FirstSlab(axis);
-        ++begin_[axis][slab];
-        ++end_[axis][slab];
-        box_[axis][slab].Extend(fragment->Box());
+      if (differs[axis] == 0) {
+        box_[axis][first[axis]].Extend(box);
+        ++whole_[axis][first[axis]];
         continue;
       }
       pieces.Cut(axis);
@@ -117,6 +126,7 @@ void SpatialBins::Merge(const SpatialBins& other) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < kSpatialBins; ++i) {
       box_[axis][i].Extend(other.box_[axis][i]);
+      whole_[axis][i] += other.whole_[axis][i];
       begin_[axis][i] += other.begin_[axis][i];
       end_[axis][i] += other.end_[axis][i];
     }
@@ -132,7 +142,7 @@ SpatialSplit SpatialBins::FindSplit(float area_scale) const {
     uint32_t count = 0;
     for (int i = kSpatialBins - 1; i > 0; --i) {
       box.Extend(box_[axis][i]);
-      count += end_[axis][i];
+      count += whole_[axis][i] + end_[axis][i];
       right_box[i] = box;
       right_count[i] = count;
     }
@@ -140,7 +150,7 @@ SpatialSplit SpatialBins::FindSplit(float area_scale) const {
     count = 0;
     for (int i = 1; i < kSpatialBins; ++i) {
       box.Extend(box_[axis][i - 1]);
-      count += begin_[axis][i - 1];
+      count += whole_[axis][i - 1] + begin_[axis][i - 1];
       if (count == 0 || right_count[i] == 0) continue;
       const float cost = box.HalfArea(area_scale) * static_cast<float>(count) +
                          right_box[i].HalfArea(area_scale) * static_cast<float>(right_count[i]);

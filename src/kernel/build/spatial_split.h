@@ -44,9 +44,6 @@ class Pieces {
     last_slab_ = mapping_.SlabsOf(box_.high, 0, kSpatialBins - 1);
     is_loaded_ = false;
   }
-  /// Then there is nothing to cut.
-  bool IsInOneSlab(int axis) const { return first_slab_[axis] == last_slab_[axis]; }
-  int FirstSlab(int axis) const { return first_slab_[axis]; }
   /// Finds its parts. Only triangles are cut; anything else is in the slab of its middle.
   void Cut(int axis);
 
@@ -90,7 +87,8 @@ class SpatialBins {
 
  private:
   Box4 box_[3][kSpatialBins];
-  uint32_t begin_[3][kSpatialBins] = {}, end_[3][kSpatialBins] = {};
+  uint32_t whole_[3][kSpatialBins] = {};                              ///< That begin and end there.
+  uint32_t begin_[3][kSpatialBins] = {}, end_[3][kSpatialBins] = {};  ///< The others.
 };
 
 }  // namespace candela::kernel

@@ -31,7 +31,7 @@ struct PrimitiveInput {
   const PrimitiveSet* set;
 };
 
-/// Another group in this one.
+/// Another group in this one, with nodes of the same width (`BuildOptions::width`).
 struct InstanceInput {
   std::shared_ptr<const Group> group;
   /// One matrix for each time step, affine and invertible; linear, element by element, in between.

@@ -75,6 +75,10 @@ class GroupBuilder {
       if (const auto* primitives = std::get_if<PrimitiveInput>(&item.content)) {
         facts.set = primitives->set;
       } else if (const auto* instance = std::get_if<InstanceInput>(&item.content)) {
+        if (instance->group->data().width != group_.width) {
+          return Error{ErrorCode::kUsage,
+                       "a group and those that it has instances of need nodes of the same width"};
+        }
         facts.group = instance->group;
         if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
         group_.levels = std::max(group_.levels, 1 + facts.group->data().levels);

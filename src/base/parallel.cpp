@@ -31,15 +31,20 @@ void Run(int count, const std::function<void()>& work) {
 namespace candela::pool {
 // oneTBB makes no more threads than it sees processors unless global_control says so.
 std::unique_ptr<tbb::global_control> control;
+/// Kept from loop to loop, since setting one up takes longer than many a loop. Without a limit it
+/// has as many threads as there are processors.
+tbb::task_arena arena;
+
 void SetLimit(int count) {
+  arena.terminate();
   control.reset();
   if (count > 0) {
     control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                     static_cast<size_t>(count));
+    arena.initialize(count);
   }
 }
 void Run(int count, const std::function<void()>& work) {
-  tbb::task_arena arena(count);
   arena.execute([&] {
     tbb::task_group helpers;
     for (int i = 1; i < count; ++i) helpers.run(work);

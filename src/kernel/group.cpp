@@ -24,17 +24,10 @@ const kernel::TraceFunctions& FunctionsOf(Isa isa, int width) {
   return kernel::kScalarFunctions;
 }
 
-constexpr int kTinyDepth = 1;
-
 float LargestCoordinate(const Bounds3& bounds) {
   if (bounds.IsEmpty()) return 0;
   const Vec3 largest = Max(Abs(bounds.min), Abs(bounds.max));
   return std::max({largest.x, largest.y, largest.z});
-}
-
-/// Whether there is nothing that rays could share: then each goes alone.
-bool IsTiny(const kernel::GroupData& group) {
-  return group.depth <= kTinyDepth;
 }
 
 const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the search tree"};
@@ -65,10 +58,6 @@ bool Group::Occluded(const Ray& ray) const {
 
 void Group::Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const {
   CHECK(rays.size() == hits.size());
-  if (IsTiny(data_)) {
-    for (size_t i = 0; i < rays.size(); ++i) data_.trace->intersect(data_, rays[i], &hits[i]);
-    return;
-  }
   const auto intersect = order == RayOrder::kCoherent ? data_.trace->intersect_coherent
                                                       : data_.trace->intersect_scattered;
   intersect(data_, rays.data(), hits.data(), rays.size());
@@ -76,10 +65,6 @@ void Group::Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRe
 
 void Group::Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_t> occluded) const {
   CHECK(rays.size() == occluded.size());
-  if (IsTiny(data_)) {
-    for (size_t i = 0; i < rays.size(); ++i) occluded[i] = data_.trace->occluded(data_, rays[i]);
-    return;
-  }
   const auto test = order == RayOrder::kCoherent ? data_.trace->occluded_coherent
                                                  : data_.trace->occluded_scattered;
   test(data_, rays.data(), occluded.data(), rays.size());

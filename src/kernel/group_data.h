@@ -42,6 +42,12 @@ struct GroupData {
   /// Leaves of primitives and instances that have no box; they stand beside the tree.
   std::vector<Reference> unbounded;
 
+  // What a search begins with, put together from the above:
+  /// Leaves of primitives that need no tree to be found, since they are unbounded or the only ones.
+  std::vector<Reference> first_primitives;
+  /// What goes on its stack: the root, unless it is such a leaf, and unbounded instances.
+  std::vector<Reference> entries;
+
   Bounds3 bounds;  ///< Of everything in the tree, at all times.
   int width = 8;   ///< Children of a node: WideNode<width>.
   int depth = 0;   ///< Nodes on the longest way down from the root.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/search.h"
+#include "kernel/enter_group.h"
 
 namespace candela::kernel {
 
@@ -8,27 +8,29 @@ namespace candela::kernel {
 Transform GroupFromWorldAt(const ItemFacts& facts, float time);
 
 /// Takes the ray into the group of an instance: the group's tree goes on the stack above a mark,
-/// and t stays what it is.
-template <class L>
-void EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
+/// and t stays what it is. True when a search for any hit is over.
+template <class L, bool kAny>
+bool EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
   const ItemFacts& facts = search->group->items[leaf.item];
-  if ((facts.mask & search->asked->mask) == 0) return;
+  if ((facts.mask & search->asked->mask) == 0) return false;
   const Transform group_from_world =
       facts.steps.empty() ? leaf.group_from_world : GroupFromWorldAt(facts, search->Time());
   const Vec3 origin = group_from_world.Point(search->space.sheared.origin);
   const Vec3 direction = group_from_world.Vector(search->space.sheared.direction);
-  if (!IsTraceable<L>(origin, direction)) return;
+  if (!IsTraceable<L>(origin, direction)) return false;
 
   search->outer[search->level] = {search->group, search->space};
   search->path[search->level] = leaf.item;
   ++search->level;
   search->group = &facts.group->data();
   search->records = search->group->records.data();
-  search->space.template Set<L>(origin, direction, search->space.slabs.t_min,
+  search->space.template Set<L>(origin, direction, search->t_min,
                                 search->group->largest_coordinate);
   search->stack.entry[search->stack.size++] =
       MakeEntry(0, MakeReference(RecordKind::kLeaveInstance, 0));
-  search->EnterGroup();
+  if (TestFirstPrimitives<L, kAny>(search)) return true;
+  PushEntries(search);
+  return false;
 }
 
 /// Goes back to where the ray came from.

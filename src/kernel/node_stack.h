@@ -21,10 +21,11 @@ using StackEntry = uint64_t;
   return std::bit_cast<float>(static_cast<uint32_t>(entry >> 32));
 }
 
-/// What a search still has to look at, the nearest last. The builder keeps trees within its size.
+/// What a search still has to look at, the nearest last. The builder keeps trees within kMostStack
+/// entries.
 struct NodeStack {
   uint32_t size = 0;
-  StackEntry entry[kMostStack];
+  StackEntry* entry = nullptr;
 };
 
 }  // namespace candela::kernel

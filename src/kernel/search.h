@@ -49,6 +49,23 @@ struct Nearest {
   }
 };
 
+/// A group that a search has left for one inside, and the ray in its space.
+struct OuterGroup {
+  const GroupData* group;
+  SpaceRay space;
+};
+
+/// Memory that a search rarely uses much of. Apart from it, so that many searches stand close
+/// together; not initialised, since a search may be shorter than that.
+struct SearchRoom {
+  SearchRoom() {}
+
+  StackEntry entry[kMostStack];
+  union {
+    OuterGroup outer[HitRecord::kMostNested];
+  };
+};
+
 /// One ray on its way through a group and the groups inside. Invariants:
 /// - Everything that may hold a hit not farther than `nearest.t` is the current reference, on the
 ///   stack, or below something there.
@@ -65,32 +82,25 @@ struct Search {
   const Ray* asked;        ///< As it came, in the space of the outermost group.
   const GroupData* group;  ///< The one that is being searched,
   const Record* records;   ///< its records,
-  SpaceRay space;          ///< and the ray in its space.
+  SpaceRay space;          ///< and the ray in its space; of the outermost one set when needed.
+  float t_min;
   Nearest nearest;
   NextChild current;  ///< What is looked at next, when many rays take turns.
   int level = 0;
   uint32_t path[HitRecord::kMostNested];
   NodeStack stack;
-  struct Outer {
-    const GroupData* group;
-    SpaceRay space;
-  } outer[HitRecord::kMostNested];
+  OuterGroup* outer;
 
-  /// Puts everything of the current group on the stack.
-  void EnterGroup() {
-    const float t_min = space.slabs.t_min;
-    if (group->root != GroupData::kNothing) {
-      stack.entry[stack.size++] = MakeEntry(t_min, group->root);
-    }
-    for (const Reference leaf : group->unbounded) {
-      stack.entry[stack.size++] = MakeEntry(t_min, leaf);
-    }
+  /// Prepares the ray for the boxes and triangles of the outermost group.
+  [[gnu::always_inline]] void PrepareOutermost() {
+    space.Set<L>(asked->origin, asked->direction, t_min, group->largest_coordinate);
   }
 
   /// The ray in the space of the current group.
   Ray CurrentRay() const {
-    Ray ray(space.sheared.origin, space.sheared.direction);
-    ray.t_min = space.slabs.t_min;
+    Ray ray = level == 0 ? Ray(asked->origin, asked->direction)
+                         : Ray(space.sheared.origin, space.sheared.direction);
+    ray.t_min = t_min;
     ray.t_max = asked->t_max;
     ray.time = Time();
     ray.mask = asked->mask;
@@ -103,19 +113,21 @@ struct Search {
     return !(time > 0) ? 0 : time < 1 ? time : 1;
   }
 
-  /// False when the ray cannot hit anything.
-  [[gnu::always_inline]] bool Begin(const GroupData& outermost, const Ray& ray, float t_limit) {
+  /// Starts outside of all groups. False when the ray cannot hit anything. `room` is the search's
+  /// own until it ends.
+  [[gnu::always_inline]] bool Begin(const GroupData& outermost, const Ray& ray, float t_limit,
+                                    SearchRoom* room) {
     asked = &ray;
     nearest.t = JustBelow<L>(t_limit);
     nearest.item = HitRecord::kNone;
     if (!(ray.t_min >= 0 && ray.t_min <= nearest.t)) return false;
     level = 0;
-    stack.size = 0;
+    stack = {0, room->entry};
+    outer = room->outer;
     if (!IsTraceable<L>(ray.origin, ray.direction)) return false;
     group = &outermost;
     records = group->records.data();
-    space.Set<L>(ray.origin, ray.direction, ray.t_min, group->largest_coordinate);
-    EnterGroup();
+    t_min = ray.t_min + 0.0f;  // Turns -0 into 0, whose bits are ordered like the others.
     return true;
   }
 
@@ -137,7 +149,7 @@ struct Search {
   /// The distance at which a hit at `t` in a leaf that the ray enters at `entry` counts; a miss
   /// when it lies before the ray's beginning or beyond the nearest hit.
   bool Counts(float entry, float* t) const {
-    if (!(*t >= space.slabs.t_min)) return false;  // NaN is a miss.
+    if (!(*t >= t_min)) return false;  // NaN is a miss.
     if (*t < entry) *t = entry;
     return *t <= nearest.t;
   }

@@ -35,11 +35,11 @@ struct SpaceRay {
   Slabs slabs;
   ShearedRay sheared;
 
-  /// `largest` is the largest coordinate of the group's bounds, by magnitude.
+  /// `t_min` is not -0. `largest` is the largest coordinate of the group's bounds, by magnitude.
   template <class L>
   [[gnu::always_inline]] void Set(Vec3 origin, Vec3 direction, float t_min, float largest) {
     sheared.Set(origin, direction);
-    slabs.t_min = t_min + 0.0f;  // Turns -0 into 0, whose bits are ordered like the others.
+    slabs.t_min = t_min;
     const float farthest = std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
                                     std::max(std::abs(origin.z), largest));
     const bool is_usual = farthest <= kUsualCoordinate;
@@ -48,7 +48,6 @@ struct SpaceRay {
     SetAxis<L>(2, origin.z, direction.z, is_usual, farthest);
   }
 
- private:
   /// Reciprocals of direction components beyond this are replaced, so that no product overflows.
   static constexpr float kUsualSlope = 1e15f;
   /// And for coordinates beyond this the bound on them is lower.
@@ -56,12 +55,14 @@ struct SpaceRay {
   // More than the errors of the reciprocal, of two products and of the sum, and of a hit's t: see
   // docs/kernel.md.
   static constexpr float kScaleSlack = 3e-7f, kOffsetSlack = 8e-7f;
+  static constexpr float kLeastSlack = std::numeric_limits<float>::min();  ///< Of tiny numbers.
 
+ private:
   template <class L>
   [[gnu::always_inline]] void SetAxis(int axis, float origin, float direction, bool is_usual,
                                       float farthest) {
     float slope = 1 / direction;
-    float least_slack = std::numeric_limits<float>::min();  // Roundings of tiny numbers.
+    float least_slack = kLeastSlack;
     if (!(is_usual && std::abs(slope) <= kUsualSlope)) [[unlikely]] {
       // As steep as the coordinates allow. A ray along a slab would then leave it early, in the
       // plane of a face at once: let it stay as long as anything can be away. (Finite, since the

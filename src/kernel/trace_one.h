@@ -22,8 +22,7 @@ template <class L, bool kAny>
       return TestPrimitives<L, kAny>(*reinterpret_cast<const PrimitiveLeaf*>(record), entry,
                                      search);
     case RecordKind::kInstance:
-      EnterInstance<L>(*reinterpret_cast<const InstanceLeaf*>(record), search);
-      return false;
+      return EnterInstance<L, kAny>(*reinterpret_cast<const InstanceLeaf*>(record), search);
     case RecordKind::kLeaveInstance:
       LeaveInstance<L>(search);
       return false;
@@ -92,16 +91,16 @@ void Finish(Search<L>* search) {
 template <class L>
 bool IntersectOne(const GroupData& group, const Ray& ray, HitRecord* hit) {
   Search<L> search;
-  if (!search.Begin(group, ray, hit->t)) return false;
-  Finish<L, false>(&search);
+  SearchRoom room;
+  if (BeginSearch<L, false>(group, ray, hit->t, &room, &search)) Finish<L, false>(&search);
   return search.Report(hit);
 }
 
 template <class L>
 bool OccludedOne(const GroupData& group, const Ray& ray) {
   Search<L> search;
-  if (!search.Begin(group, ray, ray.t_max)) return false;
-  Finish<L, true>(&search);
+  SearchRoom room;
+  if (BeginSearch<L, true>(group, ray, ray.t_max, &room, &search)) Finish<L, true>(&search);
   return search.HasHit();
 }
 

@@ -83,7 +83,8 @@ class SpanSearch {
       Search<L>* search = &slots_[slot].search;
       const size_t index = next_++;
       slots_[slot].index = index;
-      if (search->Begin(group_, rays_[index], limit(index)) && Pop(search)) {
+      if (BeginSearch<L, kAny>(group_, rays_[index], limit(index), &rooms_[slot], search) &&
+          Pop(search)) {
         Enqueue(slot);
         return;
       }
@@ -206,6 +207,7 @@ class SpanSearch {
   size_t next_ = 0;
   List waiting_[kKinds];
   Slot slots_[kInFlight];
+  SearchRoom rooms_[kInFlight];
 };
 
 template <class L>

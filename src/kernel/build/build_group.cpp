@@ -62,6 +62,7 @@ class GroupBuilder {
     group_.bounds.Extend(lists[1].bounds);
     CHECK(need <= kMostTreeStack);
     WriteUnbounded(lists);
+    ListEntries();
     return std::move(group_);
   }
 
@@ -155,6 +156,15 @@ class GroupBuilder {
                 group_.records.data() + record, nullptr);
       group_.unbounded.push_back(MakeReference(RecordKind::kPrimitives, record++));
     }
+  }
+
+  void ListEntries() {
+    const auto add = [this](Reference reference) {
+      const bool is_first = KindOf(reference) == RecordKind::kPrimitives;
+      (is_first ? group_.first_primitives : group_.entries).push_back(reference);
+    };
+    if (group_.root != GroupData::kNothing) add(group_.root);
+    for (const Reference reference : group_.unbounded) add(reference);
   }
 
   const GroupInput& input_;

@@ -79,43 +79,6 @@ struct Float16 {
   friend Mask operator<=(Float16 a, Float16 b) { return {a.low <= b.low, a.high <= b.high}; }
 };
 
-struct Double16 {
-  __m256d v[4];
-
-  static Double16 Broadcast(double value) {
-    const __m256d all = _mm256_set1_pd(value);
-    return {{all, all, all, all}};
-  }
-  friend Double16 operator+(Double16 a, Double16 b) {
-    return {{_mm256_add_pd(a.v[0], b.v[0]), _mm256_add_pd(a.v[1], b.v[1]),
-             _mm256_add_pd(a.v[2], b.v[2]), _mm256_add_pd(a.v[3], b.v[3])}};
-  }
-  friend Double16 operator-(Double16 a, Double16 b) {
-    return {{_mm256_sub_pd(a.v[0], b.v[0]), _mm256_sub_pd(a.v[1], b.v[1]),
-             _mm256_sub_pd(a.v[2], b.v[2]), _mm256_sub_pd(a.v[3], b.v[3])}};
-  }
-  friend Double16 operator*(Double16 a, Double16 b) {
-    return {{_mm256_mul_pd(a.v[0], b.v[0]), _mm256_mul_pd(a.v[1], b.v[1]),
-             _mm256_mul_pd(a.v[2], b.v[2]), _mm256_mul_pd(a.v[3], b.v[3])}};
-  }
-  friend Double16 operator/(Double16 a, Double16 b) {
-    return {{_mm256_div_pd(a.v[0], b.v[0]), _mm256_div_pd(a.v[1], b.v[1]),
-             _mm256_div_pd(a.v[2], b.v[2]), _mm256_div_pd(a.v[3], b.v[3])}};
-  }
-  friend Float16 ToFloat(Double16 a) {
-    const auto join = [](__m256d x, __m256d y) {
-      return Float8{_mm256_set_m128(_mm256_cvtpd_ps(y), _mm256_cvtpd_ps(x))};
-    };
-    return {join(a.v[0], a.v[1]), join(a.v[2], a.v[3])};
-  }
-};
-
-inline Double16 ToDouble(Float16 a) {
-  const auto lower = [](Float8 x) { return _mm256_cvtps_pd(_mm256_castps256_ps128(x.v)); };
-  const auto upper = [](Float8 x) { return _mm256_cvtps_pd(_mm256_extractf128_ps(x.v, 1)); };
-  return {{lower(a.low), upper(a.low), lower(a.high), upper(a.high)}};
-}
-
 /// One step of Batcher's bitonic sort, "Sorting Networks and their Applications", 1968: lanes are
 /// compared with their partners, and those of `kSmaller` keep the smaller one.
 template <int kSmaller>
@@ -152,7 +115,6 @@ struct IsaLanes {
   using Leaf = Float8;
   using Index = Index8;
   using Packet = Float16;
-  using PacketDouble = Double16;
 };
 
 }  // namespace candela::kernel::avx2

@@ -81,33 +81,6 @@ inline Float8 Compact(Float16 a, Float16::Mask mask) {
   return {_mm512_castps512_ps256(_mm512_maskz_compress_ps(mask.v, a.v))};
 }
 
-struct Double16 {
-  __m512d low, high;
-
-  static Double16 Broadcast(double value) { return {_mm512_set1_pd(value), _mm512_set1_pd(value)}; }
-  friend Double16 operator+(Double16 a, Double16 b) {
-    return {_mm512_add_pd(a.low, b.low), _mm512_add_pd(a.high, b.high)};
-  }
-  friend Double16 operator-(Double16 a, Double16 b) {
-    return {_mm512_sub_pd(a.low, b.low), _mm512_sub_pd(a.high, b.high)};
-  }
-  friend Double16 operator*(Double16 a, Double16 b) {
-    return {_mm512_mul_pd(a.low, b.low), _mm512_mul_pd(a.high, b.high)};
-  }
-  friend Double16 operator/(Double16 a, Double16 b) {
-    return {_mm512_div_pd(a.low, b.low), _mm512_div_pd(a.high, b.high)};
-  }
-  friend Float16 ToFloat(Double16 a) {
-    return {_mm512_insertf32x8(_mm512_castps256_ps512(_mm512_cvtpd_ps(a.low)),
-                               _mm512_cvtpd_ps(a.high), 1)};
-  }
-};
-
-inline Double16 ToDouble(Float16 a) {
-  return {_mm512_cvtps_pd(_mm512_castps512_ps256(a.v)),
-          _mm512_cvtps_pd(_mm512_extractf32x8_ps(a.v, 1))};
-}
-
 /// One step of Batcher's bitonic sort, "Sorting Networks and their Applications", 1968: lanes are
 /// compared with their partners, and those of `kSmaller` keep the smaller one.
 template <int kSmaller>
@@ -145,7 +118,6 @@ struct IsaLanes {
   using Leaf = Float8;
   using Index = Index8;
   using Packet = Float16;
-  using PacketDouble = Double16;
 };
 
 }  // namespace candela::kernel::avx512

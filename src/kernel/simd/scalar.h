@@ -125,15 +125,6 @@ struct IsaLanes {
   using Leaf = Float8;
   using Index = Index8;
   using Packet = Lanes<float, 16>;
-  using PacketDouble = Lanes<double, 16>;
 };
-
-/// The same numbers in double, and back.
-inline Lanes<double, 16> ToDouble(Lanes<float, 16> a) {
-  return Lanes<double, 16>::Each([&](int i) { return double{a.lane[i]}; });
-}
-inline Lanes<float, 16> ToFloat(Lanes<double, 16> a) {
-  return Lanes<float, 16>::Each([&](int i) { return static_cast<float>(a.lane[i]); });
-}
 
 }  // namespace candela::kernel::scalar

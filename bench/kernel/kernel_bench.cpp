@@ -169,7 +169,8 @@ Result<void> Run(BenchOptions options) {
     if (auto written = WriteOutput(*options.json, Json(result)); !written) return written;
   }
   if (!options.update) return {};
-  return UpdateDocument(kDocument, "kernel bench", tables);
+  if (!options.isa) return UpdateDocument(kDocument, "kernel bench", tables);
+  return UpdateDocument(kDocument, "kernel bench " + *options.isa, ShortTable(result));
 }
 
 int Main(std::span<const char* const> words) {
@@ -198,7 +199,8 @@ int Main(std::span<const char* const> words) {
   parser.Group("Results");
   parser.Option("json", {File("FILE", &options.json)}, "write everything there");
   parser.Flag("update", &options.update,
-              "put the tables into docs/performance.md; in the root of the project");
+              "put the tables into docs/performance.md, with --isa the first one; in the root of "
+              "the project");
   parser.Example("--scale 0.05 --repetitions 1", "A quick look whether everything works.");
   if (const auto status = ReadCommandLine(parser, words)) return *status;
   const Result<void> done = Run(options);

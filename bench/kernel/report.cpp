@@ -156,10 +156,17 @@ std::string PeakLine(const BenchResult& result) {
 
 }  // namespace
 
-std::string Tables(const BenchResult& result) {
+std::string ShortTable(const BenchResult& result) {
   return fmt::format(
       "Instruction set: {} against {}. Best of {} repetitions, one thread; builds on {}. Geometric "
-      "means.\n\n"
+      "means.\n\n{}",
+      result.isa,
+      result.embree_isa.empty() ? "the best of Embree's" : "Embree's " + result.embree_isa,
+      result.repetitions, result.build_threads, SummaryTable(result));
+}
+
+std::string Tables(const BenchResult& result) {
+  return fmt::format(
       "{}\n"
       "Rays: Embree's single rays in the tree of medium quality, and everything else as a ratio to "
       "them; what is ours, from `single` on, in the best tree; with AVX-512, single rays "
@@ -170,10 +177,8 @@ std::string Tables(const BenchResult& result) {
       "than 1e-4 of it (in instances, beyond rounding); and answers of our lists that are not the "
       "same bits as those of our single "
       "rays:\n\n{}",
-      result.isa,
-      result.embree_isa.empty() ? "the best of Embree's" : "Embree's " + result.embree_isa,
-      result.repetitions, result.build_threads, SummaryTable(result), SpeedTable(result),
-      BuildTable(result), PeakLine(result), AgreementTable(result));
+      ShortTable(result), SpeedTable(result), BuildTable(result), PeakLine(result),
+      AgreementTable(result));
 }
 
 }  // namespace candela

@@ -30,7 +30,10 @@ float LargestCoordinate(const Bounds3& bounds) {
   return std::max({largest.x, largest.y, largest.z});
 }
 
-const Error kNoMemory{ErrorCode::kResources, "there is not enough memory for the search tree"};
+/// Short, so that no memory is needed to tell.
+Error NoMemory() {
+  return {ErrorCode::kResources, "out of memory"};
+}
 
 }  // namespace
 
@@ -44,7 +47,7 @@ Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions
     data->largest_coordinate = LargestCoordinate(data->bounds);
     return std::unique_ptr<Group>(new Group(std::move(*data)));
   } catch (const std::bad_alloc&) {
-    return kNoMemory;
+    return NoMemory();
   }
 }
 
@@ -76,7 +79,7 @@ Result<void> Group::Refit(const GroupInput& input) {
     data_.largest_coordinate = LargestCoordinate(data_.bounds);
     return done;
   } catch (const std::bad_alloc&) {
-    return kNoMemory;
+    return NoMemory();
   }
 }
 

@@ -47,7 +47,8 @@ enum class RayOrder {
 class Group {
  public:
   /// Builds on all threads (see `ThreadLimit`). Fails with `kResources` when memory is short or
-  /// groups nest too deeply, with `kStopped` when cancelled.
+  /// groups nest too deeply, with `kUsage` for an instance that cannot be (see `InstanceInput`),
+  /// with `kStopped` when cancelled.
   static Result<std::unique_ptr<Group>> Build(GroupInput input, const BuildOptions& options);
 
   Group(const Group&) = delete;

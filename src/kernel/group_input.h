@@ -34,7 +34,8 @@ struct PrimitiveInput {
 /// Another group in this one, with nodes of the same width (`BuildOptions::width`).
 struct InstanceInput {
   std::shared_ptr<const Group> group;
-  /// One matrix for each time step, affine and invertible; linear, element by element, in between.
+  /// One matrix for each time step, affine, the first one invertible; linear, element by element,
+  /// in between. Where one has no inverse, nothing of the group is there.
   std::vector<Mat4> world_from_group;
 };
 
@@ -42,8 +43,10 @@ struct InstanceInput {
 struct GroupItem {
   /// Nothing keeps the index free.
   std::variant<std::monostate, TriangleInput, PrimitiveInput, InstanceInput> content;
-  uint32_t mask = kAnyRay;            ///< Kinds of rays that see it.
-  const HitFilter* filter = nullptr;  ///< Null: every hit counts. Has to outlive the group.
+  uint32_t mask = kAnyRay;  ///< Kinds of rays that see it.
+  /// Null: every hit counts. Has to outlive the group. Not for an instance, whose group's items
+  /// have their own.
+  const HitFilter* filter = nullptr;
 };
 
 /// What a group is made of. The index of an item is what a hit names.

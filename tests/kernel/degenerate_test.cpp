@@ -5,543 +5,23 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "tests/kernel/group_description.h"
-#include "tests/kernel/sphere_set.h"
+#include "tests/kernel/degenerate_scenes.h"
 #include "tests/kernel/trace_lists.h"
 
 namespace candela::test {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr float kSmallest = std::numeric_limits<float>::min();
-constexpr float kTiniest = std::numeric_limits<float>::denorm_min();
 #ifdef CANDELA_SANITIZED
-constexpr uint32_t kMany = 2'000;
 constexpr size_t kRays = 40;
 #else
-constexpr uint32_t kMany = 1'000'000;
 constexpr size_t kRays = 300;
 #endif
-
-using Corners = std::array<Vec3, 3>;
-
-/// Triangles one by one, without a common vertex.
-TestMesh Loose(uint32_t count, const std::function<Corners(uint32_t)>& triangle) {
-  TestMesh mesh;
-  for (uint32_t i = 0; i < count; ++i) {
-    for (const Vec3 corner : triangle(i)) mesh.positions.push_back(corner);
-    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  return mesh;
-}
-
-GroupDescription LooseGroup(uint32_t count, const std::function<Corners(uint32_t)>& triangle) {
-  return OfMesh(Loose(count, triangle));
-}
-
-UniformNumbers Random() {
-  return UniformNumbers(11);
-}
-
-/// A random soup whose coordinates are mapped one by one.
-GroupDescription SoupWith(const std::function<float(float)>& coordinate, uint32_t count = 500) {
-  UniformNumbers random = Random();
-  TestMesh soup = Soup(count, 0.05f, 0.5f, &random);
-  for (Vec3& p : soup.positions) p = {coordinate(p.x), coordinate(p.y), coordinate(p.z)};
-  return OfMesh(std::move(soup));
-}
-
-/// A random soup with every tenth corner replaced.
-GroupDescription SoupWithBad(Vec3 bad) {
-  UniformNumbers random = Random();
-  TestMesh soup = Soup(500, 0.05f, 0.5f, &random);
-  for (size_t i = 0; i < soup.positions.size(); i += 10) soup.positions[i] = bad;
-  return OfMesh(std::move(soup));
-}
-
-GroupDescription OfSet(std::vector<SphereSet::Sphere> spheres) {
-  GroupDescription group;
-  group.items.push_back({std::make_shared<SphereSet>(std::move(spheres)), kAnyRay, nullptr});
-  return group;
-}
-
-GroupDescription InstancesOf(GroupDescription inner, const std::vector<std::vector<Mat4>>& steps) {
-  const auto shared = std::make_shared<GroupDescription>(std::move(inner));
-  GroupDescription group;
-  for (const std::vector<Mat4>& matrices : steps) {
-    group.items.push_back({GroupDescription::Instance{shared, matrices}, kAnyRay, nullptr});
-  }
-  return group;
-}
-
-Mat4 Scaled(double x, double y, double z) {
-  return Mat4::Scale({x, y, z});
-}
-
-/// Spheres whose boxes say something else than what is there.
-class SetWithBoxes : public SphereSet {
- public:
-  SetWithBoxes(std::vector<Sphere> spheres, std::vector<Bounds3> boxes)
-      : SphereSet(std::move(spheres)), boxes_(std::move(boxes)) {}
-  Bounds3 PrimitiveBounds(uint32_t primitive, uint32_t) const override { return boxes_[primitive]; }
-
- private:
-  std::vector<Bounds3> boxes_;
-};
-
-GroupDescription UnboundedPrimitives(size_t count) {
-  GroupDescription group;
-  for (size_t i = 0; i < count; ++i) {
-    group.items.push_back({std::make_shared<GroundSet>(-static_cast<float>(i)), kAnyRay, nullptr});
-  }
-  return group;
-}
-
-struct Scene {
-  const char* name;
-  std::function<GroupDescription()> make;
-  /// Coordinates beyond 1e37: differences of them and distances may not be floats, and hits may be
-  /// lost. What is found is finite all the same.
-  bool is_too_large = false;
-  /// Rays in the plane of the triangles: the distance that rounding leaves there may lie before the
-  /// box of the piece of a split triangle that is met; the hit then counts at the entry of the box.
-  bool has_rays_in_plane = false;
-};
-
-const std::vector<Scene>& Scenes() {
-  static const std::vector<Scene> scenes = {
-      // Little or nothing.
-      {"NoItems", [] { return GroupDescription(); }},
-      {"FreeIndicesOnly",
-       [] {
-         GroupDescription group;
-         group.items.resize(100);
-         return group;
-       }},
-      {"AMeshWithoutTriangles",
-       [] {
-         return OfMesh({{{0, 0, 0}, {1, 0, 0}}, {}});
-       }},
-      {"ASetWithoutPrimitives", [] { return OfSet({}); }},
-      {"OneTriangle",
-       [] { return LooseGroup(1, [](uint32_t) {
-              return Corners{{{}, {1, 0, 0}, {0, 1, 0}}};
-            }); }},
-      {"OneSphere",
-       [] {
-         return OfSet({{{{0, 0, 0}}, 1}});
-       }},
-      {"OneInstance", [] { return InstancesOf(OfMesh(Globe(5, 5)), {{Mat4::Identity()}}); }},
-      {"AnEmptyGroupInInstances",
-       [] {
-         return InstancesOf(
-             GroupDescription(),
-             {{Mat4::Identity()}, {Scaled(2, 2, 2)}, {Scaled(1, 1, 1), Scaled(2, 2, 2)}});
-       }},
-      {"AGroupOfEmptyGroups",
-       [] {
-         return InstancesOf(InstancesOf(GroupDescription(), {{Mat4::Identity()}}),
-                            {{Mat4::Identity()}, {Scaled(2, 2, 2)}});
-       }},
-      {"AThousandMeshesOfOneTriangle",
-       [] {
-         GroupDescription group;
-         UniformNumbers random = Random();
-         for (int i = 0; i < 1000; ++i) group.Add(Soup(1, 0.1f, 0.5f, &random));
-         return group;
-       }},
-
-      // All the same.
-      {"AMillionCoincidentTriangles",
-       [] {
-         TestMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
-         mesh.triangles.assign(kMany, {0, 1, 2});
-         return OfMesh(std::move(mesh));
-       }},
-      {"AMillionCoincidentLooseTriangles",
-       [] {
-         return LooseGroup(kMany / 10, [](uint32_t) {
-           return Corners{{{}, {1, 0, 0}, {0, 1, 0}}};
-         });
-       }},
-      {"CoincidentSpheres",
-       [] {
-         return OfSet(std::vector<SphereSet::Sphere>(5000, {{{0, 0, 0}}, 1}));
-       }},
-      {"CoincidentInstances",
-       [] {
-         return InstancesOf(OfMesh(Globe(4, 4)),
-                            std::vector<std::vector<Mat4>>(200, {Mat4::Identity()}));
-       }},
-      {"CoincidentMovingTriangles",
-       [] {
-         TestMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {}, 2};
-         mesh.triangles.assign(5000, {0, 1, 2});
-         return OfMesh(std::move(mesh));
-       }},
-      {"TheSameMeshAHundredTimes",
-       [] {
-         GroupDescription group;
-         for (int i = 0; i < 100; ++i) group.Add(Globe(5, 6));
-         return group;
-       }},
-      {"IdenticalCentroids",
-       [] {
-         return LooseGroup(3000, [](uint32_t i) {
-           const float s = 1 + static_cast<float>(i) * 0.001f;
-           return Corners{{{-s, -s, 0}, {s, -s, 0}, {0, 2 * s, 0}}};
-         });
-       }},
-      {"IdenticalCentroidsTurned",
-       [] {
-         UniformNumbers random = Random();
-         return LooseGroup(3000, [&](uint32_t) {
-           const Vec3 a = RandomPoint(&random), b = RandomPoint(&random);
-           return Corners{{a, b, -(a + b)}};
-         });
-       }},
-      {"DuplicatedVertices",
-       [] {
-         TestMesh mesh = Globe(20, 20);
-         const size_t count = mesh.positions.size();
-         mesh.positions.insert(mesh.positions.end(), mesh.positions.begin(), mesh.positions.end());
-         for (size_t i = 0; i < mesh.triangles.size(); i += 2) {
-           for (uint32_t& vertex : mesh.triangles[i]) vertex += static_cast<uint32_t>(count);
-         }
-         return OfMesh(std::move(mesh));
-       }},
-      {"EachTriangleTwiceWithEitherWinding",
-       [] {
-         TestMesh mesh = Globe(20, 20);
-         const auto triangles = mesh.triangles;
-         for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({c, b, a});
-         return OfMesh(std::move(mesh));
-       }},
-
-      // Without area.
-      {"APointAsATriangle",
-       [] {
-         return LooseGroup(1, [](uint32_t) { return Corners{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}}; });
-       }},
-      {"PointsOnly",
-       [] {
-         UniformNumbers random = Random();
-         return LooseGroup(1000, [&](uint32_t) {
-           const Vec3 p = RandomPoint(&random);
-           return Corners{p, p, p};
-         });
-       }},
-      {"TwoCornersTheSame",
-       [] {
-         UniformNumbers random = Random();
-         return LooseGroup(1000, [&](uint32_t) {
-           const Vec3 p = RandomPoint(&random);
-           return Corners{p, p, RandomPoint(&random)};
-         });
-       }},
-      {"CollinearAlongAnAxis",
-       [] {
-         return LooseGroup(1000, [](uint32_t i) {
-           const auto x = static_cast<float>(i);
-           return Corners{{{x, 0, 0}, {x + 1, 0, 0}, {x + 3, 0, 0}}};
-         });
-       }},
-      {"CollinearAcrossAxes",
-       [] {
-         UniformNumbers random = Random();
-         return LooseGroup(1000, [&](uint32_t) {
-           const Vec3 p = RandomPoint(&random), d = RandomPoint(&random);
-           return Corners{p, p + d, p + d * 3};
-         });
-       }},
-      {"OneInTenHasAnArea",
-       [] {
-         UniformNumbers random = Random();
-         return LooseGroup(1000, [&](uint32_t i) {
-           const Vec3 p = RandomPoint(&random);
-           if (i % 10 != 0) return Corners{p, p, p};
-           return Corners{p, p + RandomPoint(&random), p + RandomPoint(&random)};
-         });
-       }},
-      {"ACollapsedMesh",
-       [] {
-         return OfMesh(Moved(Globe(30, 30), 0, {1, 2, 3}));
-       }},
-      {"ASphereFlattenedToADisc",
-       [] {
-         return OfMesh(Globe(30, 30, {1, 0, 1}));
-       }},
-      {"ASphereFlattenedToALine",
-       [] {
-         return OfMesh(Globe(30, 30, {1, 0, 0}));
-       }},
-      {"SpheresOfRadiusZero",
-       [] {
-         return OfSet(std::vector<SphereSet::Sphere>(100, {{{0.5f, 0, 0}}, 0}));
-       }},
-
-      // In planes, and thin.
-      {"AllInOnePlane",
-       [] {
-         UniformNumbers random = Random();
-         TestMesh soup = Soup(1000, 0.05f, 0.5f, &random);
-         for (Vec3& p : soup.positions) p.z = 0;
-         return OfMesh(std::move(soup));
-       }},
-      {"AllInOneSlantedPlane",
-       [] {
-         UniformNumbers random = Random();
-         TestMesh soup = Soup(1000, 0.05f, 0.5f, &random);
-         for (Vec3& p : soup.positions) p.z = p.x * 0.3f + p.y * 0.7f;
-         return OfMesh(std::move(soup));
-       },
-       false, true},
-      {"AFlatGrid", [] { return OfMesh(CurvedGrid(64, 0)); }},
-      {"AFlatGridInAFarPlane",
-       [] {
-         return OfMesh(Moved(CurvedGrid(40, 0), 1, {0, 1e6f, 0}));
-       }},
-      {"ALatticeOfBoxes",
-       [] {
-         std::vector<TestMesh> boxes;
-         for (int i = 0; i < 512; ++i) {
-           const Vec3 low{static_cast<float>(i % 8), static_cast<float>(i / 8 % 8),
-                          static_cast<float>(i / 64)};
-           boxes.push_back(BoxMesh(low, low + Vec3{1, 1, 1}));
-         }
-         return OfMesh(Join(boxes));
-       }},
-      {"NeedlesAMillionToOne",
-       [] {
-         UniformNumbers random = Random();
-         return OfMesh(Slivers(1000, 1e-6f, &random));
-       }},
-      {"ParallelNeedles",
-       [] {
-         return LooseGroup(1000, [](uint32_t i) {
-           const float y = static_cast<float>(i) * 1e-3f;
-           return Corners{{{-1000, y, 0}, {1000, y, 0}, {1000, y + 1e-3f, 0}}};
-         });
-       }},
-      {"SlantedNeedlesThatCross",
-       [] {
-         return LooseGroup(1000, [](uint32_t i) {
-           const float y = static_cast<float>(i) * 1e-3f;
-           return Corners{{{-1, y, -1}, {1, -y, 1}, {1, -y + 1e-4f, 1}}};
-         });
-       }},
-      {"AFanOfNeedles",
-       [] {
-         TestMesh fan = Globe(1, 2000);
-         return OfMesh(std::move(fan));
-       }},
-      {"OneHugeTriangleOverManyTinyOnes",
-       [] {
-         UniformNumbers random = Random();
-         return OfMesh(
-             Join({Loose(1,
-                         [](uint32_t) {
-                           return Corners{{{-1e6f, 0, -1e6f}, {1e6f, 0, -1e6f}, {0, 0, 1e6f}}};
-                         }),
-                   Soup(1000, 1e-4f, 1e-3f, &random)}));
-       }},
-
-      // Very large, very small.
-      {"Coordinates1e30", [] { return SoupWith([](float x) { return x * 1e30f; }); }},
-      {"Coordinates1e36", [] { return SoupWith([](float x) { return x * 1e36f; }); }},
-      {"CoordinatesNearTheLargest", [] { return SoupWith([](float x) { return x * 1e38f; }); },
-       true},
-      {"TheLargestFloats",
-       [] {
-         return LooseGroup(4, [](uint32_t i) {
-           const float s = i % 2 == 0 ? kLargest : -kLargest;
-           return Corners{{{s, -kLargest, i < 2 ? s : 1}, {s, kLargest, 0}, {-s, 0, kLargest}}};
-         });
-       },
-       true},
-      {"Coordinates1e-30", [] { return SoupWith([](float x) { return x * 1e-30f; }); }},
-      {"SmallestNormalFloats", [] { return SoupWith([](float x) { return x * kSmallest; }); }},
-      {"Denormals", [] { return SoupWith([](float x) { return x * 1e-42f; }); }},
-      {"TheTiniestFloats",
-       [] {
-         return LooseGroup(3, [](uint32_t i) {
-           const float z = static_cast<float>(i) * kTiniest;
-           return Corners{{{0, 0, z}, {kTiniest, 0, z}, {0, kTiniest, z}}};
-         });
-       }},
-      {"1e-30And1e30",
-       [] {
-         UniformNumbers random = Random();
-         const TestMesh soup = Soup(300, 0.05f, 0.5f, &random);
-         return OfMesh(Join({Moved(soup, 1e-30f, {}), Moved(soup, 1e30f, {})}));
-       }},
-      {"1e-30And1e30InOneTriangle",
-       [] { return SoupWith([](float x) { return x > 0 ? x * 1e30f : x * 1e-30f; }); }},
-      {"MinusZeros",
-       [] {
-         TestMesh grid = CurvedGrid(20, 0);
-         for (size_t i = 0; i < grid.positions.size(); i += 2) grid.positions[i].y = -0.0f;
-         return OfMesh(std::move(grid));
-       }},
-
-      // Not finite.
-      {"CornersThatAreNotNumbers",
-       [] {
-         return SoupWithBad({kNaN, 0, 0});
-       }},
-      {"CornersThatAreInfinite",
-       [] {
-         return SoupWithBad({0, kInfinity, 0});
-       }},
-      {"CornersInfiniteBothWays",
-       [] {
-         UniformNumbers random = Random();
-         TestMesh soup = Soup(300, 0.05f, 0.5f, &random);
-         for (size_t i = 0; i < soup.positions.size(); i += 9) {
-           soup.positions[i].x = kInfinity;
-           soup.positions[i + 1].x = -kInfinity;
-         }
-         return OfMesh(std::move(soup));
-       }},
-      {"NothingIsANumber",
-       [] {
-         return LooseGroup(100, [](uint32_t) {
-           return Corners{{{kNaN, kNaN, kNaN}, {}, {1, 0, 0}}};
-         });
-       }},
-      {"NotFiniteInTheMiddleOfAMotion",
-       [] {
-         UniformNumbers random = Random();
-         TestMesh moving = InMotion(Soup(200, 0.05f, 0.5f, &random), 3, 0.3f, &random);
-         for (size_t i = 600; i < 1200; i += 21)
-           moving.positions[i].y = i % 2 == 0 ? kNaN : kInfinity;
-         return OfMesh(std::move(moving));
-       }},
-
-      // Far apart.
-      {"ExponentiallySpaced",
-       [] {
-         return LooseGroup(250, [](uint32_t i) {
-           const float x = std::ldexp(1.0f, static_cast<int>(i) - 125);
-           return Corners{{{x, 0, 0}, {x * 1.25f, 0, 0}, {x, x, x}}};
-         });
-       }},
-      {"ExponentiallySpacedManyTimes",
-       [] {
-         return LooseGroup(5000, [](uint32_t i) {
-           const float x = std::ldexp(1.0f, static_cast<int>(i % 250) - 125);
-           return Corners{{{x, 0, 0}, {x * 1.25f, 0, 0}, {x, x, i % 2 == 0 ? x : -x}}};
-         });
-       }},
-      {"NestedShells",
-       [] {
-         std::vector<TestMesh> shells;
-         for (int i = -40; i < 40; ++i) {
-           shells.push_back(Moved(Globe(3, 5), std::ldexp(1.0f, i), {}));
-         }
-         return OfMesh(Join(shells));
-       }},
-      {"TwoClusters1e10Apart",
-       [] {
-         UniformNumbers random = Random();
-         const TestMesh soup = Soup(300, 0.05f, 0.5f, &random);
-         return OfMesh(Join({soup, Moved(soup, 1e4f, {1e10f, 0, 0})}));
-       }},
-      {"ALongRowOfTriangles",
-       [] {
-         return LooseGroup(2000, [](uint32_t i) {
-           const auto x = static_cast<float>(i);
-           return Corners{{{x, 0, 0}, {x + 0.5f, 0, 0}, {x, 1, 0.1f}}};
-         });
-       }},
-
-      // Instances.
-      {"InstancesOfAnySize",
-       [] {
-         return InstancesOf(OfMesh(Globe(6, 6)), {{Scaled(1e-10, 1e-10, 1e-10)},
-                                                  {Scaled(1e10, 1e10, 1e10)},
-                                                  {Scaled(1, 1, 1)},
-                                                  {Scaled(1e5, 1e-5, 1)},
-                                                  {Scaled(-1, 1, 1)}});
-       }},
-      {"InstancesAtTheEndsOfTheFloats",
-       [] {
-         return InstancesOf(
-             OfMesh(Globe(6, 6)),
-             {{Scaled(1e-30, 1e-30, 1e-30)}, {Scaled(1e30, 1e30, 1e30)}, {Scaled(1e30, 1e-30, 1)}});
-       }},
-      {"AnInstanceFarAway",
-       [] {
-         return InstancesOf(OfMesh(Globe(6, 6)),
-                            {{Mat4::Translate({1e30, 0, 0})}, {Mat4::Translate({0, 1e10, 0})}});
-       }},
-      // The steps of a motion are invertible, the matrices in between need not be.
-      {"InstancesThatVanishAndComeBackMirrored",
-       [] {
-         return InstancesOf(OfMesh(Globe(6, 6)), {{Scaled(1, 1, 1), Scaled(-1, -1, -1)},
-                                                  {Scaled(1, 1, 1), Scaled(1, -1, 1)},
-                                                  {Scaled(1, 1, 1), Scaled(2, 1, 1)}});
-       }},
-      {"AMotionThatIsSingularAtHalfTime",
-       [] {
-         return InstancesOf(OfMesh(Globe(6, 6)), {{Scaled(1, 1, 1), Scaled(-1, 1, 1)}});
-       }},
-      {"InstancesOfUnboundedPrimitives",
-       [] {
-         return InstancesOf(UnboundedPrimitives(2),
-                            {{Mat4::Identity()},
-                             {Mat4::Translate({0, -3, 0})},
-                             {Mat4::Identity(), Mat4::Translate({0, 1, 0})}});
-       }},
-
-      // Primitives of sets.
-      {"UnboundedPrimitivesOnly", [] { return UnboundedPrimitives(40); }},
-      {"UnboundedPrimitivesBesideTriangles",
-       [] {
-         GroupDescription group = UnboundedPrimitives(3);
-         group.Add(Globe(10, 10));
-         return group;
-       }},
-      {"EmptyBoxes",
-       [] {
-         GroupDescription group;
-         const std::vector<SphereSet::Sphere> spheres(3, {{{0, 0, 0}}, 0});
-         group.items.push_back(
-             {std::make_shared<SetWithBoxes>(
-                  spheres, std::vector<Bounds3>{{}, {{1, 1, 1}, {0, 0, 0}}, {{}, {kNaN, 0, 0}}}),
-              kAnyRay, nullptr});
-         return group;
-       }},
-      {"BoxesAsLargeAsCanBe",
-       [] {
-         GroupDescription group;
-         const Vec3 far{kLargest, kLargest, kLargest};
-         group.items.push_back(
-             {std::make_shared<SetWithBoxes>(std::vector<SphereSet::Sphere>(20, {{{0, 0, 0}}, 1}),
-                                             std::vector<Bounds3>(20, Bounds3{-far, far})),
-              kAnyRay, nullptr});
-         return group;
-       }},
-      {"SpheresOfAnySize",
-       [] {
-         std::vector<SphereSet::Sphere> spheres;
-         for (int i = -30; i <= 30; ++i) {
-           const float size = static_cast<float>(std::pow(10.0, i / 2));
-           spheres.push_back({{{3 * size, 0, 0}}, size});
-         }
-         return OfSet(std::move(spheres));
-       }},
-  };
-  return scenes;
-}
 
 /// Of a group's own items; those of groups inside have trees of their own.
 struct Extent {
@@ -577,7 +57,7 @@ Extent ExtentOf(const GroupDescription& group) {
 std::vector<Ray> RaysThrough(const GroupDescription& group, size_t count) {
   Extent extent = ExtentOf(group);
   if (extent.largest == 0) extent.smallest = extent.largest = 3;  // No triangles.
-  UniformNumbers random = Random();
+  UniformNumbers random(11);
   std::vector<Ray> rays;
   const TestMesh* mesh = nullptr;
   for (const auto& item : group.items) {
@@ -610,7 +90,7 @@ std::vector<Ray> RaysThrough(const GroupDescription& group, size_t count) {
 class Degenerate : public testing::TestWithParam<size_t> {};
 
 TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
-  const Scene& scene = Scenes()[GetParam()];
+  const DegenerateScene& scene = DegenerateScenes()[GetParam()];
   const GroupDescription description = scene.make();
   const Extent extent = ExtentOf(description);
   const bool is_large = extent.primitives > 50'000;
@@ -650,11 +130,12 @@ TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
 }
 
 std::string SceneName(const testing::TestParamInfo<size_t>& info) {
-  std::string name = Scenes()[info.param].name;
+  std::string name = DegenerateScenes()[info.param].name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
-INSTANTIATE_TEST_SUITE_P(Of, Degenerate, testing::Range(size_t{0}, Scenes().size()), SceneName);
+INSTANTIATE_TEST_SUITE_P(Of, Degenerate, testing::Range(size_t{0}, DegenerateScenes().size()),
+                         SceneName);
 
 // A group of the deepest nesting that is allowed, and one level more.
 TEST(Nesting, OfFiveLevelsWorksAndOneMoreIsAnError) {
@@ -670,6 +151,50 @@ TEST(Nesting, OfFiveLevelsWorksAndOneMoreIsAnError) {
   const auto too_deep = Build(InstancesOf(std::move(group), {{Mat4::Identity()}}), {});
   ASSERT_FALSE(too_deep.ok());
   EXPECT_EQ(too_deep.error().code, ErrorCode::kResources);
+}
+
+/// A group of an instance, which may be wrong.
+ErrorCode ErrorOfInstance(const GroupItem& item, const BuildOptions& options = {}) {
+  const auto group = Group::Build({item}, options);
+  return group ? ErrorCode::kStopped : group.error().code;
+}
+
+TEST(Instances, ThatCannotBeAreErrors) {
+  const std::shared_ptr<const Group> inner = MustBuild(OfMesh(Globe(4, 4)), {});
+  const Mat4 flat = Mat4::Scale({1, 0, 1});
+  EXPECT_EQ(ErrorOfInstance({InstanceInput{inner, {}}}), ErrorCode::kUsage);
+  EXPECT_EQ(ErrorOfInstance({InstanceInput{inner, {flat}}}), ErrorCode::kUsage);
+  EXPECT_EQ(ErrorOfInstance({InstanceInput{inner, {flat, Mat4::Identity()}}}), ErrorCode::kUsage);
+
+  GroupItem item{InstanceInput{inner, {Mat4::Identity()}}};
+  ASSERT_TRUE(Group::Build({item}, {}).ok());
+  struct All final : HitFilter {
+    bool Accepts(const Ray&, const HitRecord&) const override { return true; }
+  } const all;
+  item.filter = &all;
+  EXPECT_EQ(ErrorOfInstance(item), ErrorCode::kUsage);
+}
+
+TEST(Instances, CannotBeRefittedToAMatrixWithoutAnInverse) {
+  const std::shared_ptr<const Group> inner = MustBuild(OfMesh(Globe(4, 4)), {});
+  auto group = Group::Build({{InstanceInput{inner, {Mat4::Identity()}}}}, {});
+  ASSERT_TRUE(group.ok());
+  const auto refitted = (*group)->Refit({{InstanceInput{inner, {Mat4::Scale({1, 0, 1})}}}});
+  ASSERT_FALSE(refitted.ok());
+  EXPECT_EQ(refitted.error().code, ErrorCode::kUsage);
+  HitRecord hit;
+  EXPECT_TRUE((*group)->Intersect(Ray({0, 0, 0}, {1, 2, 3}), &hit));
+}
+
+TEST(Instances, OfAGroupWithNodesOfAnotherWidthAreErrors) {
+  if (!IsSupported(Isa::kAvx512)) GTEST_SKIP() << "nodes of 16 need AVX-512";
+  BuildOptions wide;
+  wide.isa = Isa::kAvx512;
+  wide.width = 16;
+  const std::shared_ptr<const Group> inner = MustBuild(OfMesh(Globe(4, 4)), wide);
+  const GroupItem item{InstanceInput{inner, {Mat4::Identity()}}};
+  EXPECT_TRUE(Group::Build({item}, wide).ok());
+  EXPECT_EQ(ErrorOfInstance(item), ErrorCode::kUsage);
 }
 
 }  // namespace

@@ -20,10 +20,14 @@ namespace {
 constexpr int64_t kNever = std::numeric_limits<int64_t>::max();
 
 std::atomic<int64_t> live_blocks = 0;
-std::atomic<int64_t> until_failure = kNever;  ///< The allocation that makes it 0 fails.
+std::atomic<int64_t> until_failure = kNever;   ///< The allocation that makes it 0 fails,
+std::atomic<bool> fails_from_then_on = false;  ///< and those that follow.
 
 void* Allocate(size_t bytes, size_t alignment) {
-  if (until_failure != kNever && --until_failure == 0) return nullptr;
+  if (until_failure != kNever) {
+    const int64_t left = --until_failure;
+    if (left == 0 || (left < 0 && fails_from_then_on)) return nullptr;
+  }
   const size_t rounded = (bytes + alignment - 1) / alignment * alignment;
   void* const block = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
   if (block) ++live_blocks;
@@ -134,7 +138,7 @@ int64_t ExpectEachFailureIsTold(const GroupInput& input, Work work) {
       EXPECT_EQ(is_done, !has_failed) << "allocation " << failing;
       if (!is_done) {
         EXPECT_EQ(result.error().code, ErrorCode::kResources) << "allocation " << failing;
-        EXPECT_EQ(result.error().message, "there is not enough memory for the search tree");
+        EXPECT_EQ(result.error().message, "out of memory");
       }
     }
     EXPECT_EQ(live_blocks, before) << "allocation " << failing;
@@ -150,9 +154,12 @@ TEST(OutOfMemory, EachFailingAllocationOfABuildIsToldAndLeavesNothingBehind) {
   for (const BuildOptions& options : AllBuildOptions()) {
     auto input = InputOf(description, options);
     ASSERT_TRUE(input.ok());
-    const int64_t allocations = ExpectEachFailureIsTold(
-        *input, [&](GroupInput copy) { return Group::Build(std::move(copy), options); });
-    EXPECT_GT(allocations, 5) << ToString(options);
+    for (const bool from_then_on : {false, true}) {
+      fails_from_then_on = from_then_on;
+      const int64_t allocations = ExpectEachFailureIsTold(
+          *input, [&](GroupInput copy) { return Group::Build(std::move(copy), options); });
+      EXPECT_GT(allocations, 5) << ToString(options);
+    }
   }
 }
 

@@ -67,7 +67,8 @@ class GroupBuilder {
   }
 
  private:
-  /// What searches know of the items. Fails when groups nest too deeply.
+  /// What searches know of the items. Fails for instances that cannot be, and when groups nest too
+  /// deeply.
   Result<void> CopyFacts() {
     for (const GroupItem& item : input_) {
       ItemFacts& facts = group_.items.emplace_back();
@@ -76,10 +77,7 @@ class GroupBuilder {
       if (const auto* primitives = std::get_if<PrimitiveInput>(&item.content)) {
         facts.set = primitives->set;
       } else if (const auto* instance = std::get_if<InstanceInput>(&item.content)) {
-        if (instance->group->data().width != group_.width) {
-          return Error{ErrorCode::kUsage,
-                       "a group and those that it has instances of need nodes of the same width"};
-        }
+        if (auto usable = CheckInstance(item, *instance, group_.width); !usable) return usable;
         facts.group = instance->group;
         if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
         group_.levels = std::max(group_.levels, 1 + facts.group->data().levels);

@@ -85,6 +85,19 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
   return items;
 }
 
+Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance, int width) {
+  const char* problem = nullptr;
+  if (instance.group->data().width != width) {
+    problem = "a group and those that it has instances of need nodes of the same width";
+  } else if (instance.world_from_group.empty() ||
+             !InverseAffine(instance.world_from_group.front())) {
+    problem = "an instance needs matrices, the first of them with an inverse";
+  } else if (item.filter) {
+    problem = "an instance cannot have a filter; the items of its group can";
+  }
+  return problem ? Result<void>(Error{ErrorCode::kUsage, problem}) : Result<void>();
+}
+
 Box4 Padded(const Box4& box, float padding) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   constexpr float kUlp = std::numeric_limits<float>::epsilon();

@@ -37,6 +37,9 @@ struct BuildItem {
 
 std::vector<BuildItem> MakeBuildItems(const GroupInput& input);
 
+/// Fails for an instance that a group with nodes of this width cannot have.
+Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance, int width);
+
 /// What `BoxOf` finds instead of a box.
 enum class BoxState {
   kBox,

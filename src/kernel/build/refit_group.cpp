@@ -31,6 +31,11 @@ class Refitter {
 
   Result<void> Refit() {
     if (!SameItems()) return OtherItems();
+    for (size_t i = 0; i < input_.size(); ++i) {
+      if (!items_[i].instance) continue;
+      const auto usable = CheckInstance(input_[i], *items_[i].instance, kWidth);
+      if (!usable) return usable;
+    }
     std::vector<Reference> tasks;
     if (group_.root != GroupData::kNothing) FindTasks(group_.root, 0, &tasks);
     std::vector<Problem> problems(tasks.size());

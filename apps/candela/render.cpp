@@ -12,7 +12,10 @@
 #include "driver/console.h"
 #include "driver/render_request.h"
 #include "film/pixel_filter.h"
+#include "image/image_file.h"
+#include "image/tone_curve.h"
 #include "integrators/registry.h"
+#include "math/elementary.h"
 
 namespace candela {
 namespace {
@@ -42,6 +45,21 @@ std::string IntegratorSummaries() {
   std::string summaries = "how light is computed (default whitted)";
   for (const IntegratorEntry& entry : IntegratorEntries()) {
     summaries += fmt::format("; {}: {}", entry.name, entry.summary);
+  }
+  return summaries;
+}
+
+std::vector<std::string_view> ToneCurveNames() {
+  std::vector<std::string_view> names;
+  for (const ToneCurve& curve : ToneCurves()) names.push_back(curve.name);
+  return names;
+}
+
+/// "none: cuts off ...; srgb: ..." for the help.
+std::string ToneCurveSummaries() {
+  std::string summaries = "how .png files show the light (default none, with path srgb)";
+  for (const ToneCurve& curve : ToneCurves()) {
+    summaries += fmt::format("; {}: {}", curve.name, curve.description);
   }
   return summaries;
 }
@@ -78,6 +96,7 @@ class RenderCommand {
     request_.integrator_options.seed = request_.render.seed;
     request_.render.grid = ChooseGrid();
     request_.output_options.png_bits = png_bits_ == "16" ? 16 : 8;
+    if (const auto done = FinishTone(); !done) return done;
     return common_.FinishFiles(parser_);
   }
 
@@ -85,6 +104,7 @@ class RenderCommand {
   Result<void> FinishWindow();
   Result<void> CheckPixel();
   Result<void> FinishIsa();
+  Result<void> FinishTone();
   PixelGrid ChooseGrid() const;
 
   RenderRequest request_;
@@ -92,7 +112,8 @@ class RenderCommand {
   CommonOptions common_;
   bool jitter_ = false;
   std::string png_bits_ = "8";
-  std::optional<std::string> filter_, grid_, isa_;
+  std::optional<std::string> filter_, grid_, isa_, tonemap_;
+  float exposure_ = 0;
   std::optional<uint32_t> samples_;
   PixelWindow crop_;
   RenderRequest::PixelPosition pixel_{};
@@ -106,6 +127,10 @@ void RenderCommand::AddOptions() {
   common_.AddPictures(&parser_);
   parser_.Option("png-bits", {Choice("BITS", &png_bits_, {"8", "16"})},
                  "bits of each channel in .png files: 8 (default) or 16");
+
+  parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries());
+  parser_.Option("exposure", {Real("EV", &exposure_)},
+                 "brightness of .png files in stops: 1 doubles the light (default 0)");
 
   parser_.Group("Frame");
   common_.AddFrame(&parser_);
@@ -212,6 +237,23 @@ Result<void> RenderCommand::FinishIsa() {
   request_.isa = FindIsa(*isa_);
   if (IsSupported(*request_.isa)) return {};
   return UsageError(fmt::format("--isa: this processor does not know {}", *isa_));
+}
+
+Result<void> RenderCommand::FinishTone() {
+  if (request_.output && FormatOf(*request_.output) != ImageFormat::kPng) {
+    for (const char* name : {"tonemap", "exposure"}) {
+      if (!parser_.Has(name)) continue;
+      return UsageError(
+          fmt::format("--{} is for .png files; the others hold the light itself", name));
+    }
+  }
+  const std::string usual = request_.integrator == "path" ? "srgb" : "none";
+  const std::string curve = tonemap_.value_or(usual);
+  ToneMapping& tone = request_.output_options.tone;
+  // Without both the course's quantisation stays as it is.
+  if (curve != "none" || parser_.Has("exposure")) tone.curve = FindToneCurve(curve);
+  tone.gain = Exp2(exposure_);
+  return {};
 }
 
 PixelGrid RenderCommand::ChooseGrid() const {

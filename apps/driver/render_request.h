@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "kernel/isa.h"
 #include "render/render_options.h"
@@ -13,6 +14,7 @@ namespace candela {
 /// How picture files are written.
 struct OutputOptions {
   int png_bits = 8;  ///< 8 or 16.
+  ToneMapping tone;  ///< Of the colour picture.
 };
 
 /// A depth map and the range of distances that it shows from black to white.

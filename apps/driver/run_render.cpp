@@ -135,7 +135,9 @@ class RenderRun {
 
   Result<void> RenderImage(const Integrator& integrator) {
     RenderJob job(integrator, request_.render);
-    FilmEncoder encoder(job.film(), *FormatOf(*request_.output), Encoding());
+    EncodeOptions encoding = Encoding();
+    encoding.tone = request_.output_options.tone;
+    FilmEncoder encoder(job.film(), *FormatOf(*request_.output), encoding);
     const CancelToken never;
     auto done = Timed(&statistics_.seconds.render, [&] {
       const ProgressReporter progress(job, request_.quiet);

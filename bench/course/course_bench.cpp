@@ -17,8 +17,8 @@
 #include "driver/arg_parser.h"
 #include "driver/console.h"
 #include "driver/picture_files.h"
-#include "measured_run.h"
 #include "support/document_table.h"
+#include "support/measured_run.h"
 
 namespace candela {
 namespace {

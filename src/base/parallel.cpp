@@ -7,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -33,19 +34,19 @@ namespace candela::pool {
 std::unique_ptr<tbb::global_control> control;
 /// Kept from loop to loop, since setting one up takes longer than many a loop. Without a limit it
 /// has as many threads as there are processors.
-tbb::task_arena arena;
+std::optional<tbb::task_arena> arena{std::in_place};
 
 void SetLimit(int count) {
-  arena.terminate();
   control.reset();
+  arena.emplace();
   if (count > 0) {
     control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                     static_cast<size_t>(count));
-    arena.initialize(count);
+    arena.emplace(count);
   }
 }
 void Run(int count, const std::function<void()>& work) {
-  arena.execute([&] {
+  arena->execute([&] {
     tbb::task_group helpers;
     for (int i = 1; i < count; ++i) helpers.run(work);
     work();

@@ -28,6 +28,16 @@ void FilmEncoder::Advance(int y_end) {
   for (; next_row_ < y_end; ++next_row_) {
     const std::span<const float> row = film_.Row(film_.Window().y0 + next_row_);
     bytes_.resize(row.size());
+    if (options_.tone.curve) {
+      for (size_t i = 0; i < row.size(); i += 3) {
+        const Rgb c = options_.tone.Encode({row[i], row[i + 1], row[i + 2]});
+        bytes_[i] = RoundToByte(c.x);
+        bytes_[i + 1] = RoundToByte(c.y);
+        bytes_[i + 2] = RoundToByte(c.z);
+      }
+      png_->Add(std::as_bytes(std::span(bytes_)));
+      continue;
+    }
     // In a lambda, which is expanded in place where a pointer to the function would be called.
     std::ranges::transform(row, bytes_.begin(), [](float value) { return QuantiseToByte(value); });
     png_->Add(std::as_bytes(std::span(bytes_)));

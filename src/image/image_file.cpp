@@ -59,13 +59,36 @@ Result<Image> ReadImage(const std::filesystem::path& path, std::vector<std::stri
   return DecodeImage(*bytes, warnings, most_bytes);
 }
 
+namespace {
+
+/// What a display shall show; other channels than three are not colours.
+Image Toned(const Image& image, const ToneMapping& tone) {
+  Image toned = image;
+  if (image.Channels() != 3) return toned;
+  const auto samples = toned.Samples();
+  for (size_t i = 0; i < samples.size(); i += 3) {
+    const Rgb c = tone.Encode({samples[i], samples[i + 1], samples[i + 2]});
+    samples[i] = c.x, samples[i + 1] = c.y, samples[i + 2] = c.z;
+  }
+  return toned;
+}
+
+Result<std::string> EncodeAsPng(const Image& image, const EncodeOptions& options) {
+  if (options.png_bits == 16) {
+    return EncodePng(QuantiseToWords(options.tone.curve ? Toned(image, options.tone) : image));
+  }
+  if (!options.tone.curve) return EncodePng(QuantiseToBytes(image));
+  return EncodePng(RoundToBytes(Toned(image, options.tone)));
+}
+
+}  // namespace
+
 Result<std::string> EncodeImage(const Image& image, ImageFormat format,
                                 const EncodeOptions& options) {
   CHECK(options.png_bits == 8 || options.png_bits == 16);
   switch (format) {
     case ImageFormat::kPng:
-      return options.png_bits == 8 ? EncodePng(QuantiseToBytes(image))
-                                   : EncodePng(QuantiseToWords(image));
+      return EncodeAsPng(image, options);
     case ImageFormat::kExr:
       return EncodeExr(image);
     case ImageFormat::kHdr:

@@ -32,6 +32,9 @@ Raster<T> Map(const Image& image, Quantise quantise) {
 ByteImage QuantiseToBytes(const Image& image) {
   return Map<uint8_t>(image, [](float c) { return QuantiseToByte(c); });
 }
+ByteImage RoundToBytes(const Image& image) {
+  return Map<uint8_t>(image, [](float c) { return RoundToByte(c); });
+}
 WordImage QuantiseToWords(const Image& image) {
   return Map<uint16_t>(image, [](float c) { return QuantiseToWord(c); });
 }

@@ -16,6 +16,13 @@ inline uint8_t QuantiseToByte(float c) {
   return static_cast<uint8_t>(static_cast<int>(low < 255.0f ? low : 255.0f));
 }
 
+/// The nearest byte: 255 c + 1/2 cut to a whole number, clamped to 0..255; NaN is 0.
+inline uint8_t RoundToByte(float c) {
+  const float scaled = 255.0f * c + 0.5f;
+  const float low = scaled > 0.0f ? scaled : 0.0f;
+  return static_cast<uint8_t>(static_cast<int>(low < 255.0f ? low : 255.0f));
+}
+
 /// The nearest 16-bit value: 65535 c + 1/2 cut to a whole number, clamped to 0..65535; NaN is 0.
 /// The course has no 16-bit files, so nothing has to be matched here, and rounding halves the
 /// error.
@@ -27,6 +34,7 @@ inline uint16_t QuantiseToWord(float c) {
 
 /// The same for every sample.
 ByteImage QuantiseToBytes(const Image& image);
+ByteImage RoundToBytes(const Image& image);
 WordImage QuantiseToWords(const Image& image);
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "image/tone_curve.h"
 #include "kernel/isa.h"
 #include "tests/apps/programs.h"
 
@@ -141,6 +142,27 @@ TEST_F(CandelaRenderTest, PngsHaveEightOrSixteenBits) {
   EXPECT_EQ(Bytes("o.png")[kDepthByte], 16);
 }
 
+TEST_F(CandelaRenderTest, PngsShowLightThroughACurve) {
+  const auto value = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"-o", "o.png"};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_EQ(Render(words).status, 0);
+    return Picture("o.png").At(20, 15, 0);
+  };
+  const float plain = value({});
+  ASSERT_GT(plain, 0.05f);
+  ASSERT_LT(plain, 0.95f);
+  EXPECT_EQ(value({"--tonemap", "none"}), plain);
+  EXPECT_NEAR(value({"--tonemap", "srgb"}), SrgbFromLinear(plain), 0.02f);
+  EXPECT_LT(value({"--exposure", "-1"}), plain);
+  EXPECT_GT(value({"--tonemap", "agx", "--exposure", "2"}), value({"--tonemap", "agx"}));
+
+  // What path tracing gives is light, and shown as light.
+  UseDiffuseScene();
+  const float light = value({"--integrator", "path", "--samples", "4", "--tonemap", "none"});
+  EXPECT_NEAR(value({"--integrator", "path", "--samples", "4"}), SrgbFromLinear(light), 0.02f);
+}
+
 TEST_F(CandelaRenderTest, ExplainsAPixelOnStdout) {
   const ProgramEnd end = Render({"--pixel", "20", "15", "--bounces", "2"});
   EXPECT_EQ(end.status, 0);
@@ -202,6 +224,10 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
 }
 
 TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
+  ExpectUsageError({"-o", "o.exr", "--tonemap", "agx"},
+                   "--tonemap is for .png files; the others hold the light itself");
+  ExpectUsageError({"-o", "o.hdr", "--exposure", "1"},
+                   "--exposure is for .png files; the others hold the light itself");
   ExpectUsageError({"-o", "o.png", "--jitter", "--samples", "4"},
                    "--jitter and --samples: give one of them");
   ExpectUsageError({"-o", "o.png", "--jitter", "--filter", "box"},

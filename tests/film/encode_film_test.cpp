@@ -44,9 +44,10 @@ TEST(FilmEncoder, GivesTheBytesOfItsImageInEveryFormat) {
   const Film& film = test.film;
   for (const ImageFormat format :
        {ImageFormat::kPng, ImageFormat::kExr, ImageFormat::kHdr, ImageFormat::kPfm}) {
-    for (const int bits : {8, 16}) {
+    for (const int bits : {8, 16, -8}) {
       EncodeOptions options;
-      options.png_bits = bits;
+      options.png_bits = std::abs(bits);
+      if (bits < 0) options.tone = {FindToneCurve("filmic"), 2};
       FilmEncoder encoder(film, format, options);
       for (const int y_end : {0, 3, 3, 10}) encoder.Advance(y_end);
       const auto direct = encoder.Finish();

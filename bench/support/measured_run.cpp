@@ -1,4 +1,4 @@
-#include "measured_run.h"
+#include "support/measured_run.h"
 
 #include <fmt/format.h>
 #include <spawn.h>

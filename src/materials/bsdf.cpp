@@ -24,7 +24,9 @@ Spectrum Eval(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
   if (bsdf.count == 0 || !IsAbove(bsdf, wo)) return {};
   const Vec3 local = SampleCosineHemisphere(u);
-  BsdfSample sample{bsdf.frame.ToWorld(local), {}, CosineHemispherePdf(local.z)};
+  BsdfSample sample;
+  sample.wi = bsdf.frame.ToWorld(local);
+  sample.pdf = CosineHemispherePdf(local.z);
   // The cosine of the estimator and that of the density cancel: what remains is the albedo.
   for (int i = 0; i < bsdf.count; ++i) sample.weight += bsdf.lobes[i].weight;
   return sample;

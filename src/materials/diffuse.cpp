@@ -9,7 +9,7 @@ std::unique_ptr<Material> DiffuseMaterial::Create(ParamReader* params) {
 }
 
 void DiffuseMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
-  bsdf->Add({LobeKind::kLambert, Spectrum(albedo_)});
+  bsdf->Add({LobeKind::kLambert, 1, Spectrum(albedo_), {}});
 }
 
 }  // namespace candela

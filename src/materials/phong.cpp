@@ -14,7 +14,7 @@ std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
 }
 
 void PhongMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
-  bsdf->Add({LobeKind::kLambert, Spectrum(terms_.diffuse)});
+  bsdf->Add({LobeKind::kLambert, 1, Spectrum(terms_.diffuse), {}});
 }
 
 bool PhongMaterial::IsPhysical() const {

@@ -78,4 +78,25 @@ Vec2 InvertUniformSphere(Vec3 direction) {
   return {0.5f - 0.5f * direction.z, TurnOf(direction)};
 }
 
+Vec3 SampleCone(Vec2 u, float one_minus_cosine) {
+  const float below = u.x * one_minus_cosine;
+  return FromHeightAndTurn(1 - below, std::sqrt(below * (2 - below)), u.y);
+}
+
+Vec2 InvertCone(Vec3 direction, float one_minus_cosine) {
+  // 1 - z from the distance to the axis, which has its digits where z has lost them.
+  const float radius2 = direction.x * direction.x + direction.y * direction.y;
+  const float below = direction.z > 0 ? radius2 / (1 + direction.z) : 1 - direction.z;
+  return {std::min(below / one_minus_cosine, 1.0f), TurnOf(direction)};
+}
+
+Vec2 SampleTriangle(Vec2 u) {
+  return u.y > u.x ? Vec2{u.x * 0.5f, u.y - u.x * 0.5f} : Vec2{u.x - u.y * 0.5f, u.y * 0.5f};
+}
+
+Vec2 InvertTriangle(Vec2 weights) {
+  return weights.y > weights.x ? Vec2{2 * weights.x, weights.x + weights.y}
+                               : Vec2{weights.x + weights.y, 2 * weights.y};
+}
+
 }  // namespace candela

@@ -1,48 +1,24 @@
 #pragma once
 
-#include <cstdint>
-
 #include "base/check.h"
+#include "materials/lobe.h"
 #include "math/frame.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
 
 namespace candela {
 
-/// The kinds of reflection a surface can be composed of. A closed list: transport dispatches on it.
-enum class LobeKind : uint8_t {
-  kLambert,  ///< Ideally diffuse: the same radiance in all directions of the upper side.
-};
-
-/// One part of what a surface does with light. For `kLambert` the weight is the albedo.
-struct Lobe {
-  LobeKind kind;
-  float pick;  ///< How often it is drawn, in relation to that of the other lobes; not negative.
-  Spectrum weight;
-  float params[8];  ///< What they mean depends on the kind.
-};
-
-/// True for lobes that send light from one direction into one direction, or into two.
-constexpr bool IsDelta(LobeKind kind) {
-  switch (kind) {
-    case LobeKind::kLambert:
-      return false;
-  }
-  return false;
-}
-
 /// How light is scattered at one point. Trivially copyable; lives on the stack while a hit is
 /// shaded. Directions are unit vectors in world space that point away from the surface.
 struct Bsdf {
-  static constexpr int kMostLobes = 8;
+  static constexpr int kMostLobes = 4;
 
   Frame frame;  ///< Its z axis is the shading normal on the side of the ray that hit.
   int count = 0;
   float pick_sum = 0;
   Lobe lobes[kMostLobes];
 
-  /// Leaves the lobes as they are, since nobody looks beyond `count`: there is one for each hit.
-  Bsdf() {}
+  Bsdf() {}  // Written out: the implicit one would clear all of it first, for each hit.
 
   void Add(const Lobe& lobe) {
     DCHECK(count < kMostLobes);

@@ -147,6 +147,13 @@ void RenderCommand::AddOptions() {
   parser_.Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
                  IntegratorSummaries());
   common_.AddLight(&parser_, "0, with path as many as it takes");
+  IntegratorOptions& light = request_.integrator_options;
+  parser_.Option("diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
+                 "with path: of the bounces, those by surfaces that scatter (default all)");
+  parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
+                 "with path: those by mirrors (default all)");
+  parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
+                 "with path: those through surfaces (default all)");
 
   parser_.Group("Samples");
   parser_.Option("samples", {Whole("N", &samples_, 1)},

@@ -13,7 +13,8 @@ namespace {
 
 constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false},
-    {"path", "path tracing of diffuse surfaces and area lights", &PathIntegrator::Create, true},
+    {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
+     true},
 };
 
 }  // namespace

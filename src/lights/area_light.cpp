@@ -1,18 +1,56 @@
 #include "lights/area_light.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lights/light_context.h"
+#include "math/elementary.h"
 
 namespace candela {
 
 std::unique_ptr<Light> AreaLight::Create(ParamReader* params, const LightContext& context) {
   const Rgb radiance = params->NonNegativeColor("radiance", {1, 1, 1});
+  const bool is_two_sided = params->Flag("two_sided", true);
   if (!context.has_object) {
     params->Error(params->Where("type"),
                   "an area light needs an object in its node, to shine from");
   }
-  return std::make_unique<AreaLight>(Spectrum(radiance));
+  return std::make_unique<AreaLight>(Spectrum(radiance), is_two_sided);
+}
+
+void AreaLight::SetSurface(std::unique_ptr<const SurfaceSampler> sampler, Vec3 center,
+                           float radius) {
+  sampler_ = std::move(sampler);
+  center_ = center;
+  radius_ = radius;
+}
+
+LightSample AreaLight::SampleIncident(Vec3 p, Vec2 u) const {
+  if (!sampler_) return {{}, {}, 0, 0};
+  const SurfaceSample sample = sampler_->Sample(p, u);
+  if (sample.pdf == 0) return {{}, {}, 0, 0};
+  SurfacePoint point;
+  point.n_geometric = sample.n;
+  return {sample.direction, Emitted(point, -sample.direction), sample.distance, sample.pdf};
+}
+
+float AreaLight::PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3) const {
+  return sampler_ ? sampler_->Pdf(p, seen.p, seen.n_geometric) : 0;
+}
+
+Spectrum AreaLight::Emitted(const SurfacePoint& point, Vec3 w) const {
+  if (is_two_sided_) return radiance_;
+  // `whitted` knows the shading normal only.
+  const Vec3 n = point.n_geometric == Vec3() ? point.n_shading : point.n_geometric;
+  return Dot(n, w) > 0 ? radiance_ : Spectrum();
+}
+
+LightReach AreaLight::Reach() const {
+  if (!sampler_) return {};
+  const double sides = is_two_sided_ ? 2 : 1;
+  const double flux = kPi * sampler_->Area() * sides * double{MeanOf(radiance_.ToRgb())};
+  // The largest lamps keep an order among each other.
+  return {static_cast<float>(std::min(flux, 1e30)), false, center_, radius_};
 }
 
 }  // namespace candela

@@ -9,19 +9,31 @@ namespace candela {
 
 struct LightContext;
 
-/// Makes the object of its node a lamp that shines with the same radiance from every point of both
-/// sides in every direction.
+/// Makes the object of its node a lamp that shines with the same radiance from every point, in
+/// every direction on the side of the normal, or on both sides.
 class AreaLight final : public Light {
  public:
-  explicit AreaLight(Spectrum radiance) : radiance_(radiance) {}
+  using Light::SampleIncident;
+
+  AreaLight(Spectrum radiance, bool is_two_sided)
+      : radiance_(radiance), is_two_sided_(is_two_sided) {}
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
-  bool IsDelta() const override { return false; }
-  LightSample SampleIncident(Vec3) const override { return {}; }
-  Spectrum Emitted(const SurfacePoint&, Vec3) const override { return radiance_; }
+  LightKind Kind() const override { return LightKind::kSurface; }
+  LightSample SampleIncident(Vec3) const override { return {{}, {}, 0, 0}; }
+  LightSample SampleIncident(Vec3 p, Vec2 u) const override;
+  float PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3 w) const override;
+  Spectrum Emitted(const SurfacePoint& point, Vec3 w) const override;
+  LightReach Reach() const override;
+  void SetSurface(std::unique_ptr<const SurfaceSampler> sampler, Vec3 center,
+                  float radius) override;
 
  private:
   Spectrum radiance_;
+  bool is_two_sided_;
+  std::unique_ptr<const SurfaceSampler> sampler_;
+  Vec3 center_;
+  float radius_ = 0;
 };
 
 }  // namespace candela

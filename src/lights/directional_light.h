@@ -9,21 +9,32 @@ namespace candela {
 
 struct LightContext;
 
-/// Parallel light from infinitely far away. Its direction is in world space; nodes do not turn it.
+/// Light from infinitely far away: parallel, or a round sun that is seen under an angle, as bright
+/// in its middle as at its rim. Its direction is in world space; nodes do not turn it. `color` is
+/// the irradiance at normal incidence, whatever the angle.
 class DirectionalLight final : public Light {
  public:
-  /// `direction` is where the light goes to; any length but 0.
-  DirectionalLight(Vec3 direction, Rgb color)
-      : to_light_(-NormalizeAnyLength(direction)), color_(color) {}
+  /// `direction` is where the light goes to; any length but 0. `angle_degrees` is the full angle
+  /// under which it is seen, in [0, 180).
+  DirectionalLight(Vec3 direction, Rgb color, float angle_degrees = 0);
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
-  bool IsDelta() const override { return true; }
+  LightKind Kind() const override {
+    return one_minus_cosine_ > 0 ? LightKind::kSky : LightKind::kPoint;
+  }
   LightSample SampleIncident(Vec3) const override { return {to_light_, Spectrum(color_)}; }
-  Spectrum Emitted(const SurfacePoint&, Vec3) const override { return {}; }
+  LightSample SampleIncident(Vec3 p, Vec2 u) const override;
+  float PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3 w) const override;
+  Spectrum Emitted(const SurfacePoint& point, Vec3 w) const override;
+  LightReach Reach() const override;
 
  private:
+  bool IsSeenAlong(Vec3 w) const;
+
   Vec3 to_light_;
   Rgb color_;
+  float one_minus_cosine_ = 0;  ///< Of half the angle.
+  Rgb radiance_;
 };
 
 }  // namespace candela

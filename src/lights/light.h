@@ -1,10 +1,12 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 
 #include "geometry/surface_point.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
+#include "shapes/surface_sampler.h"
 
 namespace candela {
 
@@ -14,23 +16,72 @@ struct LightSample {
   Spectrum radiance;  ///< For a light without extent: what it adds to the irradiance at normal
                       ///< incidence.
   float distance =
-      std::numeric_limits<float>::max();  ///< The largest float when it is infinitely far.
+      std::numeric_limits<float>::max();  ///< The largest float when it is infinitely far. To a
+                                          ///< surface a little short, so that a ray of this length
+                                          ///< does not meet the light itself.
+  float pdf = 1;  ///< Of the direction, over solid angle; 1 for a light without extent, 0 when
+                  ///< nothing was drawn.
 };
 
-/// A source of light. Immutable; called concurrently.
+/// Who can meet a light besides a sample of it.
+enum class LightKind {
+  kPoint,    ///< Nobody: it has no extent.
+  kSurface,  ///< Rays that hit its object.
+  kSky,      ///< Rays that leave the scene: it has an extent, infinitely far away.
+};
+
+/// What is to be known of a light to judge from afar how much it may give.
+struct LightReach {
+  /// Of a light in the scene the flux (in 4 pi of its radiance over area and solid angle), of one
+  /// that is infinitely far the irradiance at normal incidence; the mean of the colours. 0 for a
+  /// light that is found by rays alone.
+  float power = 0;
+  bool is_far = false;
+  Vec3 center;  ///< Of a ball around it, unless it is far.
+  float radius = 0;
+};
+
+/// A source of light. Immutable once its scene is compiled; called concurrently.
 class Light {
  public:
   virtual ~Light() = default;
 
-  /// True for a light that illuminates from a single direction, so that no ray can hit it. The
-  /// others are the surface of an object and found by hitting it.
-  virtual bool IsDelta() const = 0;
+  virtual LightKind Kind() const = 0;
 
-  /// The light that a delta light sends to `p`, if nothing is in the way.
+  /// Whether it illuminates from a single direction, or from few enough around one that the
+  /// integrator `whitted` may take it so. The others are the surface of an object.
+  bool IsDelta() const { return Kind() != LightKind::kSurface; }
+
+  /// The light that reaches `p` from where a delta light is, or its middle, as if all of it came
+  /// from there, if nothing is in the way.
   virtual LightSample SampleIncident(Vec3 p) const = 0;
 
-  /// The radiance that leaves the light's surface at `point` in the unit direction `w`.
-  virtual Spectrum Emitted(const SurfacePoint& point, Vec3 w) const = 0;
+  /// Light that reaches `p` from one of the directions from which it comes, drawn with two numbers
+  /// in [0, 1), if nothing is in the way.
+  virtual LightSample SampleIncident(Vec3 p, Vec2 /*u*/) const { return SampleIncident(p); }
+
+  /// The density over solid angle with which that draws the unit direction `w` from `p`; `seen` is
+  /// the point of its surface there, and is not looked at for a light in the sky. 0 where it draws
+  /// nothing: such light is found by rays alone.
+  virtual float PdfIncident(Vec3 /*p*/, const SurfacePoint& /*seen*/, Vec3 /*w*/) const {
+    return 0;
+  }
+
+  /// The radiance that leaves the light's surface at `point` in the unit direction `w`. From a
+  /// light in the sky, what comes to the scene along `w`, wherever the point is.
+  virtual Spectrum Emitted(const SurfacePoint& /*point*/, Vec3 /*w*/) const { return {}; }
+
+  virtual LightReach Reach() const = 0;
+
+  /// Called once while the scene is compiled, for a light that is the surface of an object: what
+  /// draws points of it, which may be null, and a ball around it.
+  virtual void SetSurface(std::unique_ptr<const SurfaceSampler> /*sampler*/, Vec3 /*center*/,
+                          float /*radius*/) {}
 };
+
+/// The mean of red, green and blue: how lights are compared with each other.
+inline float MeanOf(const Rgb& color) {
+  return (color.x + color.y + color.z) * (1.0f / 3);
+}
 
 }  // namespace candela

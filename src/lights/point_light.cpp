@@ -1,8 +1,10 @@
 #include "lights/point_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lights/light_context.h"
+#include "math/elementary.h"
 
 namespace candela {
 
@@ -20,6 +22,11 @@ LightSample PointLight::SampleIncident(Vec3 p) const {
   const float distance = std::sqrt(squared);
   const Rgb radiance = color_ / (attenuation_ * squared);
   return {to_light / distance, Spectrum(radiance), distance};
+}
+
+LightReach PointLight::Reach() const {
+  constexpr auto kAllAround = static_cast<float>(4 * kPi);
+  return {std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
 }
 
 }  // namespace candela

@@ -13,13 +13,15 @@ struct LightContext;
 /// gives color / (attenuation D^2).
 class PointLight final : public Light {
  public:
+  using Light::SampleIncident;
+
   PointLight(Vec3 position, Rgb color, float attenuation)
       : position_(position), color_(color), attenuation_(attenuation) {}
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
-  bool IsDelta() const override { return true; }
+  LightKind Kind() const override { return LightKind::kPoint; }
   LightSample SampleIncident(Vec3 p) const override;
-  Spectrum Emitted(const SurfacePoint&, Vec3) const override { return {}; }
+  LightReach Reach() const override;
 
  private:
   Vec3 position_;

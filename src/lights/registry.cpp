@@ -3,6 +3,7 @@
 #include "lights/area_light.h"
 #include "lights/directional_light.h"
 #include "lights/point_light.h"
+#include "lights/spot_light.h"
 #include "scene_spec/registry.h"
 
 namespace candela {
@@ -12,6 +13,7 @@ constexpr LightEntry kLights[] = {
     // name         create                       example
     {"point", &PointLight::Create, "type point color 0.9 0.9 0.9 attenuation 0.025"},
     {"directional", &DirectionalLight::Create, "type directional direction 0 -1 0 color 1 1 1"},
+    {"spot", &SpotLight::Create, "type spot direction 0 -1 0 angle 40 color 1 1 1 attenuation 0.1"},
     {"area", &AreaLight::Create, "type area radiance 5 5 5"},
 };
 

@@ -1,38 +1,74 @@
 #include "materials/bsdf.h"
 
-#include "math/elementary.h"
-#include "sampling/warp.h"
+#include <cmath>
 
 namespace candela {
 namespace {
 
-constexpr float kInvPi = static_cast<float>(1 / kPi);
+/// The place of the lobe that `*u` chooses; `*u` is afterwards as good as new.
+int ChooseLobe(const Bsdf& bsdf, float* u) {
+  float left = bsdf.pick_sum;
+  for (int i = 0; i + 1 < bsdf.count; ++i) {
+    if (SplitChoice(bsdf.lobes[i].pick / left, u)) return i;
+    left -= bsdf.lobes[i].pick;
+  }
+  return bsdf.count - 1;
+}
 
-bool IsAbove(const Bsdf& bsdf, Vec3 w) {
-  return Dot(bsdf.frame.z, w) > 0;
+/// Adds to a direction that one lobe has drawn what the others do with it.
+void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
+  const float cosine = std::abs(sample->wi.z);
+  float pdf = bsdf.lobes[drawn].pick * sample->pdf;
+  Spectrum value = sample->weight * sample->pdf;
+  for (int i = 0; i < bsdf.count; ++i) {
+    if (i == drawn) continue;
+    pdf += bsdf.lobes[i].pick * LobePdf(bsdf.lobes[i], wo, sample->wi);
+    value += EvalLobe(bsdf.lobes[i], wo, sample->wi) * cosine;
+  }
+  sample->pdf = pdf / bsdf.pick_sum;
+  sample->weight = value * (1 / sample->pdf);
 }
 
 }  // namespace
 
 Spectrum Eval(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+  const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
   Spectrum sum;
-  if (!IsAbove(bsdf, wo) || !IsAbove(bsdf, wi)) return sum;
-  for (int i = 0; i < bsdf.count; ++i) sum += bsdf.lobes[i].weight * kInvPi;
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) sum += EvalLobe(bsdf.lobes[lobe], o, i);
   return sum;
 }
 
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
-  if (bsdf.count == 0 || !IsAbove(bsdf, wo)) return {};
-  const Vec3 local = SampleCosineHemisphere(u);
-  BsdfSample sample{bsdf.frame.ToWorld(local), {}, CosineHemispherePdf(local.z)};
-  // The cosine of the estimator and that of the density cancel: what remains is the albedo.
-  for (int i = 0; i < bsdf.count; ++i) sample.weight += bsdf.lobes[i].weight;
-  return sample;
+  const Vec3 o = bsdf.frame.ToLocal(wo);
+  if (!(o.z > 0) || !(bsdf.pick_sum > 0)) return {};
+  const int drawn = ChooseLobe(bsdf, &u.x);
+  if (!(bsdf.lobes[drawn].pick > 0)) return {};  // By rounding only.
+  LobeSample sample = SampleLobe(bsdf.lobes[drawn], o, u);
+  if (sample.pdf == 0) return {};
+  if (sample.is_delta) {
+    const float choice = bsdf.lobes[drawn].pick / bsdf.pick_sum;
+    sample.pdf *= choice;
+    sample.weight *= Spectrum(1 / choice);
+  } else if (bsdf.count > 1) {
+    AddOthers(bsdf, o, drawn, &sample);
+  }
+  const bool is_transmission = sample.wi.z < 0;
+  return {bsdf.frame.ToWorld(sample.wi),
+          sample.weight,
+          sample.pdf,
+          sample.is_delta,
+          is_transmission,
+          sample.eta};
 }
 
 float Pdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
-  if (bsdf.count == 0 || !IsAbove(bsdf, wo) || !IsAbove(bsdf, wi)) return 0;
-  return CosineHemispherePdf(Dot(bsdf.frame.z, wi));
+  if (!(bsdf.pick_sum > 0)) return 0;
+  const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
+  float sum = 0;
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
+    sum += bsdf.lobes[lobe].pick * LobePdf(bsdf.lobes[lobe], o, i);
+  }
+  return sum / bsdf.pick_sum;
 }
 
 }  // namespace candela

@@ -1,37 +1,37 @@
 #pragma once
 
-#include <cstdint>
-
 #include "base/check.h"
+#include "materials/lobe.h"
 #include "math/frame.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
 
 namespace candela {
 
-/// The kinds of reflection a surface can be composed of. A closed list: transport dispatches on it.
-enum class LobeKind : uint8_t {
-  kLambert,  ///< Ideally diffuse: the same radiance in all directions of the upper side.
-};
-
-/// One part of what a surface does with light. For `kLambert` the weight is the albedo.
-struct Lobe {
-  LobeKind kind = LobeKind::kLambert;
-  Spectrum weight;
-};
-
 /// How light is scattered at one point. Trivially copyable; lives on the stack while a hit is
 /// shaded. Directions are unit vectors in world space that point away from the surface.
 struct Bsdf {
-  static constexpr int kMostLobes = 8;
+  static constexpr int kMostLobes = 4;
 
   Frame frame;  ///< Its z axis is the shading normal on the side of the ray that hit.
   int count = 0;
+  float pick_sum = 0;
   Lobe lobes[kMostLobes];
+
+  Bsdf() {}  // Written out: the implicit one would clear all of it first, for each hit.
 
   void Add(const Lobe& lobe) {
     DCHECK(count < kMostLobes);
     lobes[count++] = lobe;
+    pick_sum += lobe.pick;
+  }
+
+  /// Whether light goes into more than single directions: whether `Eval` and `Pdf` can be above 0.
+  bool HasSmoothPart() const {
+    for (int i = 0; i < count; ++i) {
+      if (!IsDelta(lobes[i].kind)) return true;
+    }
+    return false;
   }
 };
 
@@ -40,15 +40,25 @@ struct BsdfSample {
   Vec3 wi;
   Spectrum weight;
   float pdf = 0;  ///< Per solid angle; 0 when nothing can be drawn.
+  /// The direction is the only one of its lobe: no density over solid angle. `pdf` is then the
+  /// probability of the choice, and `weight` what is reflected or let through, over `pdf`.
+  bool is_delta = false;
+  bool is_transmission = false;  ///< `wi` and `wo` lie on different sides of the surface.
+  /// The refractive index on the side of `wi` over that on the side of `wo`. Radiance is carried,
+  /// so light that gets into glass is weaker by its square and recovers when it leaves again:
+  /// `weight` times the square is the share of the power, which Russian roulette should look at.
+  float eta = 1;
 };
 
 /// The value for light that comes from `wi` and leaves to `wo`, per steradian, without the cosine.
+/// Lobes of single directions are left out.
 Spectrum Eval(const Bsdf& bsdf, Vec3 wo, Vec3 wi);
 
 /// Draws `wi` for a given `wo` from two numbers in [0, 1).
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u);
 
-/// The density with which `Sample` draws `wi`, per solid angle.
+/// The density with which `Sample` draws `wi`, per solid angle; lobes of single directions are left
+/// out, so that it integrates to the share of the others.
 float Pdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi);
 
 }  // namespace candela

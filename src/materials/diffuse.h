@@ -7,10 +7,13 @@
 
 namespace candela {
 
-/// An ideally diffuse surface of the given albedo on both sides.
+/// A diffuse surface of the given albedo on both sides: ideally diffuse without roughness, and the
+/// flatter looking the rougher, as plaster and the moon are.
 class DiffuseMaterial final : public Material {
  public:
-  explicit DiffuseMaterial(Rgb albedo) : albedo_(albedo) {}
+  /// `roughness` is from 0 to 1.
+  explicit DiffuseMaterial(Rgb albedo, float roughness = 0)
+      : albedo_(albedo), roughness_(roughness) {}
   static std::unique_ptr<Material> Create(ParamReader* params);
 
   PhongTerms Phong(const SurfacePoint&) const override { return {albedo_, albedo_, {}, 0}; }
@@ -19,6 +22,7 @@ class DiffuseMaterial final : public Material {
 
  private:
   Rgb albedo_;
+  float roughness_;
 };
 
 }  // namespace candela

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "geometry/surface_point.h"
 #include "materials/bsdf.h"
 #include "math/spectrum.h"
@@ -15,6 +17,13 @@ struct PhongTerms {
   float shininess = 0;
 };
 
+/// The exponent of the Phong highlight that looks as wide as that of facets with the roughness
+/// `alpha`.
+inline float ShininessOf(float alpha) {
+  constexpr float kSharpest = 2000;
+  return std::min(0.5f / std::max(alpha * alpha, 1e-6f), kSharpest);
+}
+
 /// What a surface does with light. Immutable; called concurrently.
 class Material {
  public:
@@ -25,6 +34,10 @@ class Material {
 
   /// For light transport: adds the lobes at `point` to a Bsdf whose frame is set.
   virtual void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const = 0;
+
+  /// What a body of it takes of the light on its way inside, per unit of length: of radiance the
+  /// part exp(-absorption * length) is left.
+  virtual Rgb Absorption() const { return {}; }
 
   /// False when `Evaluate` cannot say all that the material does.
   virtual bool IsPhysical() const = 0;

@@ -1,7 +1,11 @@
 #include "materials/registry.h"
 
+#include "materials/conductor.h"
+#include "materials/dielectric.h"
 #include "materials/diffuse.h"
+#include "materials/mirror.h"
 #include "materials/phong.h"
+#include "materials/plastic.h"
 #include "scene_spec/registry.h"
 
 namespace candela {
@@ -10,7 +14,11 @@ namespace {
 constexpr MaterialEntry kMaterials[] = {
     // name    create                    example
     {"phong", &PhongMaterial::Create, "diffuse 0.8 0.2 0.2 specular 0.5 0.5 0.5 shininess 20"},
-    {"diffuse", &DiffuseMaterial::Create, "type diffuse albedo 0.8 0.8 0.8"},
+    {"diffuse", &DiffuseMaterial::Create, "type diffuse albedo 0.8 0.8 0.8 roughness 0.5"},
+    {"mirror", &MirrorMaterial::Create, "type mirror reflectance 0.9 0.9 0.9"},
+    {"conductor", &ConductorMaterial::Create, "type conductor metal gold roughness 0.5"},
+    {"dielectric", &DielectricMaterial::Create, "type dielectric ior glass roughness 0.5"},
+    {"plastic", &PlasticMaterial::Create, "type plastic albedo 0.8 0.2 0.1 roughness 0.4"},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ enum class SamplerKind {
 /// Which dimensions belong to what, so that a new use of random numbers in one place does not
 /// change the numbers of another. Dimensions 0-15 belong to the camera, 16 to each bounce.
 inline constexpr uint32_t kFilmDimension = 0;  ///< a pair: the position within the pixel filter
+inline constexpr uint32_t kLensDimension = 2;  ///< a pair: the position on the camera's lens
 inline constexpr uint32_t kCameraDimensions = 16;
 inline constexpr uint32_t kBounceDimensions = 16;
 

@@ -10,8 +10,8 @@ constexpr auto kQuarterPi = static_cast<float>(kPi / 4);
 constexpr auto kTwoPi = static_cast<float>(2 * kPi);
 
 Vec3 FromHeightAndTurn(float z, float radius, float turn) {
-  const float phi = kTwoPi * turn;
-  return {radius * Cos(phi), radius * Sin(phi), z};
+  const auto [sine, cosine] = SinCos(kTwoPi * turn);
+  return {radius * static_cast<float>(cosine), radius * static_cast<float>(sine), z};
 }
 
 /// The azimuth as a part of a full turn, in [0, 1).
@@ -29,11 +29,11 @@ Vec2 SampleDisk(Vec2 u) {
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
   // other coordinate runs along the arc.
   if (std::abs(x) > std::abs(y)) {
-    const float phi = kQuarterPi * (y / x);
-    return {x * Cos(phi), x * Sin(phi)};
+    const auto [sine, cosine] = SinCos(kQuarterPi * (y / x));
+    return {x * static_cast<float>(cosine), x * static_cast<float>(sine)};
   }
-  const float phi = kQuarterPi * (x / y);
-  return {y * Sin(phi), y * Cos(phi)};
+  const auto [sine, cosine] = SinCos(kQuarterPi * (x / y));
+  return {y * static_cast<float>(sine), y * static_cast<float>(cosine)};
 }
 
 Vec2 InvertDisk(Vec2 p) {
@@ -76,6 +76,27 @@ Vec3 SampleUniformSphere(Vec2 u) {
 
 Vec2 InvertUniformSphere(Vec3 direction) {
   return {0.5f - 0.5f * direction.z, TurnOf(direction)};
+}
+
+Vec3 SampleCone(Vec2 u, float one_minus_cosine) {
+  const float below = u.x * one_minus_cosine;
+  return FromHeightAndTurn(1 - below, std::sqrt(below * (2 - below)), u.y);
+}
+
+Vec2 InvertCone(Vec3 direction, float one_minus_cosine) {
+  // 1 - z from the distance to the axis, which has its digits where z has lost them.
+  const float radius2 = direction.x * direction.x + direction.y * direction.y;
+  const float below = direction.z > 0 ? radius2 / (1 + direction.z) : 1 - direction.z;
+  return {std::min(below / one_minus_cosine, 1.0f), TurnOf(direction)};
+}
+
+Vec2 SampleTriangle(Vec2 u) {
+  return u.y > u.x ? Vec2{u.x * 0.5f, u.y - u.x * 0.5f} : Vec2{u.x - u.y * 0.5f, u.y * 0.5f};
+}
+
+Vec2 InvertTriangle(Vec2 weights) {
+  return weights.y > weights.x ? Vec2{2 * weights.x, weights.x + weights.y}
+                               : Vec2{weights.x + weights.y, 2 * weights.y};
 }
 
 }  // namespace candela

@@ -42,4 +42,17 @@ constexpr float UniformSpherePdf() {
   return static_cast<float>(1 / (4 * kPi));
 }
 
+/// Directions within an angle around z, with equal density. The angle is given by 1 - its cosine,
+/// so that the narrowest cones keep their digits.
+Vec3 SampleCone(Vec2 u, float one_minus_cosine);
+Vec2 InvertCone(Vec3 direction, float one_minus_cosine);
+constexpr float ConePdf(float one_minus_cosine) {
+  return static_cast<float>(1 / (2 * kPi)) / one_minus_cosine;
+}
+
+/// Barycentric weights of the second and the third corner of a triangle, by area: E. Heitz, "A Low-
+/// Distortion Map Between Triangle and Square", 2019. The density over area is 1 / area.
+Vec2 SampleTriangle(Vec2 u);
+Vec2 InvertTriangle(Vec2 weights);
+
 }  // namespace candela

@@ -29,6 +29,7 @@ class SceneCompiler {
     CompileNodes();
     if (diagnostics_.HasErrors()) return nullptr;
     BakeMeshes();
+    PlaceLights();
     BuildTree();
     if (diagnostics_.HasErrors()) return nullptr;
     return std::move(scene_);
@@ -45,9 +46,15 @@ class SceneCompiler {
     const BackgroundSpec& background = spec_.background;
     scene_->background_.color = background.color;
     scene_->background_.ambient_light = background.ambient_light;
-    if (background.cube_map.empty()) return;
-    scene_->background_.cube_map =
-        CubeMap::Load(spec_.folder / background.cube_map, background.cube_map_where, &diagnostics_);
+    if (!background.cube_map.empty()) {
+      scene_->background_.cube_map = CubeMap::Load(spec_.folder / background.cube_map,
+                                                   background.cube_map_where, &diagnostics_);
+    }
+    if (!background.environment.empty()) {
+      scene_->background_.environment = EnvironmentMap::Load(
+          spec_.folder / background.environment, background.environment_where,
+          background.environment_scale, background.environment_rotate_degrees, &diagnostics_);
+    }
   }
 
   void CompileMaterials() {
@@ -88,6 +95,7 @@ class SceneCompiler {
     }
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
     const bool is_surface = !light->IsDelta();
+    if (is_surface) surface_lights_[index] = light.get();
     scene_->lights_.push_back(std::move(light));
     return is_surface ? index : SceneObject::kNoLight;
   }
@@ -212,6 +220,17 @@ class SceneCompiler {
     return true;
   }
 
+  /// Tells the lights that are surfaces where these have come to lie.
+  void PlaceLights() {
+    for (const SceneObject& object : scene_->objects_) {
+      if (object.light == SceneObject::kNoLight) continue;
+      const Bounds3 box = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
+      surface_lights_[object.light]->SetSurface(
+          object.shape->MakeSampler(object.world_from_object, object.object_from_world),
+          box.Center(), Length(box.Extent()) / 2);
+    }
+  }
+
   void BuildTree() {
     std::vector<Mat4> world_from_object;
     for (const Place& place : places_) world_from_object.push_back(place.world_from_object);
@@ -229,7 +248,8 @@ class SceneCompiler {
   std::map<std::string_view, uint32_t> material_by_name_;
   std::optional<uint32_t> default_material_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
-  std::vector<Place> places_;  ///< Of `scene_->objects_`.
+  std::map<uint32_t, Light*> surface_lights_;  ///< By their index, while they can be changed.
+  std::vector<Place> places_;                  ///< Of `scene_->objects_`.
 };
 
 std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
@@ -237,6 +257,9 @@ std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
   if (!spec.background.cube_map.empty()) {
     const auto faces = CubeMap::FaceFiles(spec.folder / spec.background.cube_map);
     files.insert(files.end(), faces.begin(), faces.end());
+  }
+  if (!spec.background.environment.empty()) {
+    files.push_back(spec.folder / spec.background.environment);
   }
   return files;
 }

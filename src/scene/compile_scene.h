@@ -10,8 +10,8 @@
 
 namespace candela {
 
-/// The files that a scene is made of: its own, its meshes, and the faces of its cube map. None of
-/// them may be an output.
+/// The files that a scene is made of: its own, its meshes, and the pictures of its background. None
+/// of them may be an output.
 std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec);
 
 /// Builds what a description says: objects from the registries, transforms, textures, the search

@@ -48,6 +48,7 @@ uint64_t Scene::MemoryBytes() const {
     if (counted.insert(object.shape.get()).second) bytes += object.shape->MemoryBytes();
   }
   if (background_.cube_map) bytes += background_.cube_map->MemoryBytes();
+  if (background_.environment) bytes += background_.environment->MemoryBytes();
   return bytes;
 }
 

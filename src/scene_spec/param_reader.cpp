@@ -141,6 +141,10 @@ float ParamReader::NonNegative(std::string_view name, float default_value) {
       .value_or(default_value);
 }
 
+float ParamReader::Fraction(std::string_view name, float default_value) {
+  return OneNumber(name, false, {"a number from 0 to 1", IsFraction}).value_or(default_value);
+}
+
 float ParamReader::RequiredAngle(std::string_view name) {
   return OneNumber(name, true, {"an angle above 0 and below 180 degrees", IsAngle}).value_or(90.0f);
 }
@@ -173,6 +177,42 @@ Rgb ParamReader::NonNegativeColor(std::string_view name, Rgb default_value) {
 Rgb ParamReader::Albedo(std::string_view name, Rgb default_value) {
   const NumberRule rule{"three numbers from 0 to 1", IsFraction};
   return ThreeNumbers(name, false, rule).value_or(default_value);
+}
+
+float ParamReader::PositiveOrNamed(std::string_view name, std::span<const NamedNumber> names,
+                                   float default_value) {
+  const std::optional<float> value = ReadEach(name, false, [&](const Param& param) {
+    const auto is_meant = [&](const NamedNumber& named) {
+      return param.words.size() == 1 && param.words[0].text == named.name;
+    };
+    const auto named = std::find_if(names.begin(), names.end(), is_meant);
+    if (named != names.end()) return std::optional<float>(named->value);
+
+    std::vector<std::string_view> known;
+    for (const NamedNumber& each : names) known.push_back(each.name);
+    const std::string expected =
+        fmt::format("a positive number or one of {}", ListOf(known, "and"));
+    std::array<float, 1> number;
+    if (param.words.empty()) {
+      Error(param.where, WrongCount(name, expected, 0));
+      return std::optional<float>();
+    }
+    const NumberRule rule{expected.c_str(), IsPositive};
+    return ReadNumbers(param, rule, number) ? std::optional<float>(number[0]) : std::nullopt;
+  });
+  return value.value_or(default_value);
+}
+
+bool ParamReader::Flag(std::string_view name, bool default_value) {
+  return ReadEach(name, false,
+                  [&](const Param& param) -> std::optional<bool> {
+                    const std::optional<std::string> word = OneWord(param);
+                    if (!word) return std::nullopt;
+                    if (*word == "true" || *word == "false") return *word == "true";
+                    Error(param.words[0].where, WrongWord(name, "'true' or 'false'", *word));
+                    return std::nullopt;
+                  })
+      .value_or(default_value);
 }
 
 std::string ParamReader::Word(std::string_view name) {

@@ -14,6 +14,12 @@
 
 namespace candela {
 
+/// A name that may stand for a number.
+struct NamedNumber {
+  std::string_view name;
+  float value;
+};
+
 /// Gives meaning to a `ParamSet`: each call asks for one parameter, and what is wrong with it goes
 /// to the diagnostics while reading goes on with a usable value. Where a name repeats, the last one
 /// counts and all of them have to be right. Once everything was asked for, `Finish` reports what is
@@ -33,6 +39,8 @@ class ParamReader {
   float Positive(std::string_view name, float default_value);
   float RequiredPositive(std::string_view name);
   float NonNegative(std::string_view name, float default_value);
+  /// From 0 to 1.
+  float Fraction(std::string_view name, float default_value);
   /// Strictly between 0 and 180.
   float RequiredAngle(std::string_view name);
   /// Nothing when it is missing or wrong.
@@ -47,6 +55,12 @@ class ParamReader {
   Rgb NonNegativeColor(std::string_view name, Rgb default_value);
   /// Each number from 0 to 1.
   Rgb Albedo(std::string_view name, Rgb default_value);
+
+  /// A positive number, or a name that stands for one.
+  float PositiveOrNamed(std::string_view name, std::span<const NamedNumber> names,
+                        float default_value);
+  /// `true` or `false`.
+  bool Flag(std::string_view name, bool default_value);
 
   /// One word or path, as written; empty when it is missing or wrong.
   std::string Word(std::string_view name);

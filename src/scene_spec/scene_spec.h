@@ -21,6 +21,9 @@ struct CameraSpec {
   Vec3 direction{0, 0, -1};  ///< Where it looks; any length but 0.
   Vec3 up{0, 1, 0};          ///< Not parallel to `direction`, not necessarily orthogonal to it.
   float fov_degrees = 30;    ///< Full vertical angle, in (0, 180).
+  float aperture = 0;        ///< Diameter of the lens; 0 for a pinhole, which shows all sharply.
+  float focus_distance = 1;  ///< Of the plane that is sharp, along the direction of view; above 0.
+  int blades = 0;            ///< Corners of the opening, 3 or more; 0 for a round one.
 };
 
 /// What rays see that hit nothing, and the light that is everywhere.
@@ -30,6 +33,11 @@ struct BackgroundSpec {
   /// Folder with the six faces, as written; replaces `color`.
   std::string cube_map;
   SourceLocation cube_map_where;
+  /// A picture in longitude and latitude, as written; replaces `color` too.
+  std::string environment;
+  SourceLocation environment_where;
+  float environment_scale = 1;           ///< Multiplies its radiance; not negative.
+  float environment_rotate_degrees = 0;  ///< About +y, counter-clockwise seen from above.
 };
 
 /// A material with the name that nodes may use for it.

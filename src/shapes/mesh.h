@@ -27,6 +27,8 @@ class Mesh final : public Shape {
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
   std::optional<TriangleInput> Triangles() const override;
+  std::unique_ptr<const SurfaceSampler> MakeSampler(
+      const Transform& world_from_object, const Transform& object_from_world) const override;
   std::shared_ptr<const Shape> Baked(const Mat4& world_from_object) const override;
   uint64_t PrimitiveCount() const override { return spec_->triangles.size(); }
   uint64_t MemoryBytes() const override;

@@ -8,4 +8,8 @@ bool Shape::Occludes(const Ray& ray) const {
   return Intersect(ray, &hit);
 }
 
+std::unique_ptr<const SurfaceSampler> Shape::MakeSampler(const Transform&, const Transform&) const {
+  return nullptr;
+}
+
 }  // namespace candela

@@ -10,6 +10,8 @@
 #include "geometry/surface_point.h"
 #include "kernel/group_input.h"
 #include "math/mat4.h"
+#include "math/transform.h"
+#include "shapes/surface_sampler.h"
 
 namespace candela {
 
@@ -45,6 +47,11 @@ class Shape {
   virtual std::shared_ptr<const Shape> Baked(const Mat4& /*world_from_object*/) const {
     return nullptr;
   }
+
+  /// What draws points of the surface where it stands in the world, for a light. It may refer to
+  /// the shape. Null for a shape without one, or without end: as a light it is found by rays alone.
+  virtual std::unique_ptr<const SurfaceSampler> MakeSampler(
+      const Transform& world_from_object, const Transform& object_from_world) const;
 
   /// How many primitives it consists of, for statistics.
   virtual uint64_t PrimitiveCount() const { return 1; }

@@ -34,7 +34,7 @@ std::vector<std::string_view> Names(const std::vector<LightEntry>& rows) {
 
 // Which of the two sets of tests below applies to whom.
 TEST(LightContract, TheseRowsHaveNoExtent) {
-  EXPECT_THAT(Names(Rows(true)), testing::ElementsAre("point", "directional"));
+  EXPECT_THAT(Names(Rows(true)), testing::ElementsAre("point", "directional", "spot"));
   EXPECT_THAT(Names(Rows(false)), testing::ElementsAre("area"));
 }
 
@@ -56,15 +56,22 @@ INSTANTIATE_TEST_SUITE_P(Registry, EveryDeltaLight, testing::ValuesIn(Rows(true)
                          contract::RowName<LightEntry>);
 
 TEST_P(EveryDeltaLight, SendsFiniteLightFromAUnitDirection) {
+  int lit = 0;
   for (int i = 0; i < 10000; ++i) {
     const float distance = std::ldexp(1.0f, i % 40 - 20);
     const Vec3 p = SampleUniformSphere(random_.NextPair()) * distance;
     const LightSample sample = light_.SampleIncident(p);
     ASSERT_NEAR(Length(sample.direction), 1, 1e-6);
     ASSERT_TRUE(IsRadiance(sample.radiance));
-    ASSERT_FALSE(sample.radiance.IsBlack()) << "it has no power";
     ASSERT_GT(sample.distance, 0.0f);
+    ASSERT_EQ(sample.pdf, 1.0f);
+    lit += !sample.radiance.IsBlack();
+    const LightSample drawn = light_.SampleIncident(p, random_.NextPair());
+    ASSERT_EQ(drawn.direction, sample.direction) << "there is nothing to draw";
+    ASSERT_EQ(drawn.radiance, sample.radiance);
   }
+  EXPECT_GT(lit, 100) << "it has no power";
+  EXPECT_GT(light_.Reach().power, 0.0f);
 }
 
 // From two points the light is seen in the same place: where the two directions meet, or infinitely
@@ -105,7 +112,29 @@ TEST_P(EveryAreaLight, ShinesFromTheSurfaceOfItsNode) {
   EXPECT_FALSE(emitted.IsBlack()) << "it has no power";
 }
 
-TEST_P(EveryAreaLight, SendsNothingToBeSampled) {
+// What a sample says of the light is what a ray in its direction finds.
+TEST_P(EveryAreaLight, SamplesAgreeWithRays) {
+  UniformNumbers random(6);
+  int found = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 p = SampleUniformSphere(random.NextPair()) * (1.01f + 5 * random.Next());
+    const LightSample sample = light_.SampleIncident(p, random.NextPair());
+    ASSERT_GT(sample.pdf, 0.0f);
+    Ray ray(p, sample.direction);
+    ray.t_max = sample.distance;
+    ASSERT_FALSE(scene_->Occluded(ray)) << "the light hides itself";
+    HitRecord hit;
+    if (!scene_->Intersect(ray, &hit)) continue;  // At the very rim.
+    ++found;
+    const SurfacePoint seen = scene_->SurfaceAt(ray, hit);
+    ASSERT_EQ(light_.Emitted(seen, -ray.direction), sample.radiance);
+    ASSERT_NEAR(light_.PdfIncident(p, seen, ray.direction) / sample.pdf, 1, 1e-5);
+  }
+  EXPECT_GT(found, 9900);
+  EXPECT_GT(light_.Reach().power, 0.0f);
+}
+
+TEST_P(EveryAreaLight, HasNoMiddle) {
   EXPECT_TRUE(light_.SampleIncident({3, 4, 5}).radiance.IsBlack());
 }
 

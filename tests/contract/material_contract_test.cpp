@@ -8,16 +8,21 @@
 #include <string>
 #include <vector>
 
-#include "math/elementary.h"
 #include "sampling/warp.h"
 #include "tests/contract/rows.h"
-#include "tests/sampling/chi_square.h"
+#include "tests/materials/scatter.h"
 
 namespace candela {
 namespace {
 
 using contract::SceneOfMaterial;
-using test::ChiSquareDeviate;
+using test::Albedo;
+using test::AlbedoOf;
+using test::BsdfOf;
+using test::DirectionAt;
+using test::ExpectSamplesToFollowTheDensity;
+using test::ExpectWeightsToAgree;
+using test::kIncidences;
 using test::kLargestDeviate;
 using test::UniformNumbers;
 
@@ -57,18 +62,9 @@ TEST_P(EveryMaterial, HasPhongTermsForWhitted) {
 
 class EveryPhysicalMaterial : public testing::TestWithParam<MaterialEntry> {
  protected:
-  EveryPhysicalMaterial() : scene_(SceneOfMaterial(GetParam().example)) {
-    bsdf_.frame = Frame::FromNormal(Normalize(Vec3{1, -2, 3}));
-    SurfacePoint point;
-    point.n_geometric = point.n_shading = bsdf_.frame.z;
-    MaterialOf(*scene_).Evaluate(point, &bsdf_);
-  }
-
-  /// A direction at `degrees` from the normal.
-  Vec3 At(double degrees, double azimuth = 0.7) const {
-    return bsdf_.frame.ToWorld(ToFloat({SinDegrees(degrees) * Cos(azimuth),
-                                        SinDegrees(degrees) * Sin(azimuth), CosDegrees(degrees)}));
-  }
+  EveryPhysicalMaterial()
+      : scene_(SceneOfMaterial(GetParam().example)),
+        bsdf_(BsdfOf(MaterialOf(*scene_), Normalize(Vec3{1, -2, 3}))) {}
 
   std::unique_ptr<const Scene> scene_;
   Bsdf bsdf_;
@@ -78,95 +74,72 @@ class EveryPhysicalMaterial : public testing::TestWithParam<MaterialEntry> {
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPhysicalMaterial, testing::ValuesIn(Rows(true)),
                          contract::RowName<MaterialEntry>);
 
-constexpr double kAngles[] = {0, 15, 30, 45, 60, 75, 85, 89};
-
-TEST_P(EveryPhysicalMaterial, WeightIsValueTimesCosineOverDensity) {
-  for (const double degrees : kAngles) {
-    const Vec3 wo = At(degrees);
+TEST_P(EveryPhysicalMaterial, DrawsFromAllAngles) {
+  for (const double degrees : kIncidences) {
     int drawn = 0;
     for (int i = 0; i < 10000; ++i) {
-      const BsdfSample sample = Sample(bsdf_, wo, random_.NextPair());
-      if (sample.pdf == 0) continue;
-      ++drawn;
-      EXPECT_NEAR(Length(sample.wi), 1, 1e-5);
-      if (sample.pdf < 1e-3f) continue;  // So near the horizon the cosine has few digits.
-      EXPECT_NEAR(Pdf(bsdf_, wo, sample.wi), sample.pdf, 1e-3f * sample.pdf);
-      const float cosine = std::abs(Dot(bsdf_.frame.z, sample.wi));
-      const Spectrum expected = Eval(bsdf_, wo, sample.wi) * (cosine / sample.pdf);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(sample.weight[c], expected[c], 1e-3f);
+      drawn += Sample(bsdf_, DirectionAt(bsdf_.frame, degrees), random_.NextPair()).pdf > 0;
     }
     EXPECT_GT(drawn, 5000) << degrees;
   }
 }
 
-// 1e6 samples at each angle, in 16 x 32 cells of equal solid angle of the whole sphere. Strength:
-// see chi_square.h.
-TEST_P(EveryPhysicalMaterial, SamplesFollowTheDensity) {
-  constexpr size_t kHeights = 16, kSectors = 32, kSteps = 8;
-  for (const double degrees : {0.0, 45.0, 89.0}) {
-    const Vec3 wo = At(degrees);
-    const auto direction = [&](double height, double turn) {
-      const double radius = std::sqrt(1 - height * height);
-      const Vec3d local{radius * Cos(turn), radius * Sin(turn), height};
-      return bsdf_.frame.ToWorld(ToFloat(local));
-    };
-
-    std::vector<double> shares(kHeights * kSectors);
-    double sum = 0;
-    const double cell = 4 * kPi / static_cast<double>(kHeights * kSectors * kSteps * kSteps);
-    for (size_t i = 0; i < kHeights * kSteps; ++i) {
-      for (size_t j = 0; j < kSectors * kSteps; ++j) {
-        const double height = 2 * (static_cast<double>(i) + 0.5) / (kHeights * kSteps) - 1;
-        const double turn = 2 * kPi * (static_cast<double>(j) + 0.5) / (kSectors * kSteps);
-        const double share = static_cast<double>(Pdf(bsdf_, wo, direction(height, turn))) * cell;
-        shares[i / kSteps * kSectors + j / kSteps] += share;
-        sum += share;
-      }
-    }
-    EXPECT_NEAR(sum, 1, 1e-3) << "the density does not integrate to 1";
-    for (double& share : shares) share /= sum;
-
-    std::vector<uint64_t> counts(shares.size());
-    for (int i = 0; i < 1000000; ++i) {
-      const BsdfSample sample = Sample(bsdf_, wo, random_.NextPair());
-      if (sample.pdf == 0) continue;
-      const Vec3 local = bsdf_.frame.ToLocal(sample.wi);
-      double turn = std::atan2(static_cast<double>(local.y), static_cast<double>(local.x));
-      if (turn < 0) turn += 2 * kPi;
-      const auto index = [](double position, size_t size) {
-        const double at = position * static_cast<double>(size);
-        return std::min(static_cast<size_t>(std::max(at, 0.0)), size - 1);
-      };
-      const size_t height = index((static_cast<double>(local.z) + 1) / 2, kHeights);
-      ++counts[height * kSectors + index(turn / (2 * kPi), kSectors)];
-    }
-    EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate) << degrees;
+TEST_P(EveryPhysicalMaterial, WeightIsValueTimesCosineOverDensity) {
+  for (const double degrees : kIncidences) {
+    ExpectWeightsToAgree(bsdf_, DirectionAt(bsdf_.frame, degrees), 10000, &random_);
   }
 }
 
+TEST_P(EveryPhysicalMaterial, SamplesFollowTheDensity) {
+  for (const double degrees : {0.0, 45.0, 89.0}) {
+    SCOPED_TRACE(degrees);
+    const Vec3 wo = DirectionAt(bsdf_.frame, degrees);
+    ExpectSamplesToFollowTheDensity(bsdf_, wo, 1000000, &random_);
+  }
+}
+
+TEST_P(EveryPhysicalMaterial, SaysWhetherItHasASmoothPart) {
+  bool is_smooth = false;
+  for (int i = 0; i < 1000; ++i) {
+    const BsdfSample sample = Sample(bsdf_, DirectionAt(bsdf_.frame, 45), random_.NextPair());
+    is_smooth = is_smooth || (sample.pdf > 0 && !sample.is_delta);
+  }
+  EXPECT_EQ(bsdf_.HasSmoothPart(), is_smooth);
+}
+
+// Through the surface by the square of the refractive indices.
 TEST_P(EveryPhysicalMaterial, IsReciprocal) {
+  const Bsdf beyond = BsdfOf(MaterialOf(*scene_), bsdf_.frame.z, false);
   for (int i = 0; i < 100000; ++i) {
     const Vec3 wo = SampleUniformSphere(random_.NextPair());
     const Vec3 wi = SampleUniformSphere(random_.NextPair());
-    const Spectrum there = Eval(bsdf_, wo, wi), back = Eval(bsdf_, wi, wo);
+    const Spectrum there = Eval(bsdf_, wo, wi);
+    for (int c = 0; c < 4; ++c) ASSERT_GE(there[c], 0.0f);
+    if (Dot(bsdf_.frame.z, wi) < 0) continue;
+    const Spectrum back = Eval(bsdf_, wi, wo);
     for (int c = 0; c < 4; ++c) {
-      ASSERT_GE(there[c], 0.0f);
+      if (Dot(bsdf_.frame.z, wo) < 0) continue;
       ASSERT_NEAR(there[c], back[c], 1e-5f * std::abs(there[c]));
     }
   }
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 wo = DirectionAt(bsdf_.frame, 80.0 * random_.NextPair().x);
+    const BsdfSample sample = Sample(bsdf_, wo, random_.NextPair());
+    if (sample.pdf == 0 || sample.is_delta || !sample.is_transmission) continue;
+    const Spectrum there = Eval(bsdf_, wo, sample.wi) * (sample.eta * sample.eta);
+    const Spectrum back = Eval(beyond, sample.wi, wo);
+    for (int c = 0; c < 4; ++c) ASSERT_NEAR(there[c], back[c], 2e-5f * there[c]);
+  }
 }
 
+// By the error of the estimate, and by that of the tables of rough surfaces.
 TEST_P(EveryPhysicalMaterial, ReflectsNoMoreThanItGets) {
-  for (const double degrees : kAngles) {
-    const Vec3 wo = At(degrees);
-    double albedo[3] = {};
-    constexpr int kSamples = 20000;
-    for (int i = 0; i < kSamples; ++i) {
-      const BsdfSample sample = Sample(bsdf_, wo, random_.NextPair());
-      for (int c = 0; c < 3; ++c) albedo[c] += static_cast<double>(sample.weight[c]) / kSamples;
+  for (const double degrees : kIncidences) {
+    const Albedo albedo = AlbedoOf(bsdf_, DirectionAt(bsdf_.frame, degrees), 20000, &random_);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_LE(albedo.mean[c], 1 + 2e-3 + kLargestDeviate * albedo.error[c]) << degrees;
     }
-    for (const double channel : albedo) EXPECT_LE(channel, 1 + 1e-6) << degrees;
-    EXPECT_GT(albedo[0] + albedo[1] + albedo[2], 0) << degrees;
+    EXPECT_GT(albedo.mean[0] + albedo.mean[1] + albedo.mean[2], 0) << degrees;
   }
 }
 

@@ -27,30 +27,30 @@ std::unique_ptr<Scene> Compile(const std::string& object, Diagnostics* diagnosti
 
 TEST(Extending, ScenesMayNameTheNewShape) {
   Diagnostics diagnostics;
-  const auto scene = Compile("type disk radius 1", &diagnostics);
+  const auto scene = Compile("type ring radius 1 hole 0.5", &diagnostics);
   EXPECT_THAT(diagnostics.Lines(), IsEmpty());
   ASSERT_NE(scene, nullptr);
   HitRecord hit;
-  ASSERT_TRUE(scene->Intersect(Ray({0, 0, 10}, {0, 0, -1}), &hit));
+  ASSERT_TRUE(scene->Intersect(Ray({0.75f, 0, 10}, {0, 0, -1}), &hit));
   EXPECT_EQ(hit.t, 10);
 }
 
 TEST(Extending, TheNewShapeReportsWrongParameters) {
   Diagnostics diagnostics;
-  Compile("type disk radius -1 radios 2", &diagnostics);
+  Compile("type ring radius -1 radios 2", &diagnostics);
   EXPECT_THAT(
       diagnostics.Lines(),
       ElementsAre("scene.txt:4:18: error: 'radius' expects a positive number, found '-1'",
-                  "scene.txt:4:21: error: parameter 'radios' is not used by 'disk' (did you mean "
+                  "scene.txt:4:21: error: parameter 'radios' is not used by 'ring' (did you mean "
                   "'radius'?)"));
 }
 
 TEST(Extending, ItsRowHasAnExample) {
   const auto rows = ShapeEntries();
   const auto row =
-      std::find_if(rows.begin(), rows.end(), [](const auto& each) { return each.name == "disk"; });
+      std::find_if(rows.begin(), rows.end(), [](const auto& each) { return each.name == "ring"; });
   ASSERT_NE(row, rows.end());
-  EXPECT_EQ(row->example, "type disk radius 1");
+  EXPECT_EQ(row->example, "type ring radius 1 hole 0.5");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "materials/dielectric.h"
 #include "materials/diffuse.h"
 #include "materials/phong.h"
 #include "materials/registry.h"
@@ -17,13 +18,14 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A material of the given type from "name number number ... name number ...".
+/// A material of the given type from "name word number ... name number ...".
 std::unique_ptr<Material> Create(const std::string& type, const std::string& text,
                                  Diagnostics* diagnostics) {
   TypedSpec spec{type, {}, {}};
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    if (std::isalpha(static_cast<unsigned char>(word[0]))) {
+    const bool is_due = !spec.params.params.empty() && spec.params.params.back().words.empty();
+    if (!is_due && std::isalpha(static_cast<unsigned char>(word[0]))) {
       spec.params.params.push_back({word, {}, {}});
     } else {
       spec.params.params.back().words.push_back({word, {}});
@@ -81,6 +83,96 @@ TEST(Diffuse, RefusesWhatIsNoAlbedo) {
   EXPECT_THAT(ProblemsOf("diffuse", "albedo 0 0.5 1"), IsEmpty());
   EXPECT_THAT(ProblemsOf("diffuse", "albedo 0 0.5 1.1"), ElementsAre(HasSubstr("from 0 to 1")));
   EXPECT_THAT(ProblemsOf("diffuse", "albedo -0.1 0 0"), ElementsAre(HasSubstr("from 0 to 1")));
+}
+
+TEST(NormalisedPhong, IsPhysicalWhereItIsNoBrighterThanItsLight) {
+  EXPECT_THAT(ProblemsOf("phong", "diffuse 0.5 0.5 0.5 specular 0.5 0 0.25 normalised true"),
+              IsEmpty());
+  EXPECT_THAT(ProblemsOf("phong", "diffuse 0.5 0.5 0.5 specular 0.6 0 0 normalised true"),
+              ElementsAre(HasSubstr("together at most 1")));
+  EXPECT_THAT(ProblemsOf("phong", "diffuse 0.5 0.5 0.5 shininess -1 normalised true"),
+              ElementsAre(HasSubstr("'shininess' that is not negative")));
+  EXPECT_THAT(ProblemsOf("phong", "diffuse 1 1 1 normalised yes"),
+              ElementsAre(HasSubstr("'normalised' expects 'true' or 'false', found 'yes'")));
+}
+
+TEST(Conductor, IsANamedMetalOrHasEtaAndK) {
+  EXPECT_THAT(ProblemsOf("conductor", "metal brass"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("conductor", "eta 1 1 1 k 2 2 2"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("conductor", "eta 1 1 1"),
+              ElementsAre(HasSubstr("needs 'metal', or 'eta' and 'k'")));
+  EXPECT_THAT(ProblemsOf("conductor", "metal bras"),
+              ElementsAre(HasSubstr("there is no metal 'bras' (did you mean 'brass'?); known: ")));
+  EXPECT_THAT(ProblemsOf("conductor", "metal gold k 1 1 1"),
+              ElementsAre(HasSubstr("'k' is not used")));
+}
+
+TEST(Conductor, IsRoughInOneWayOnly) {
+  EXPECT_THAT(ProblemsOf("conductor", "metal gold alpha_x 0.1 alpha_y 0.2 rotation 30"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("conductor", "metal gold roughness 0.1 alpha_x 0.1 alpha_y 0.2"),
+              ElementsAre(HasSubstr("not by both")));
+  EXPECT_THAT(ProblemsOf("conductor", "metal gold alpha_x 0.1"),
+              ElementsAre(HasSubstr("given together")));
+  EXPECT_THAT(ProblemsOf("conductor", "metal gold roughness 1.5"),
+              ElementsAre(HasSubstr("'roughness' expects a number from 0 to 1, found '1.5'")));
+}
+
+TEST(Dielectric, HasAnIndexByNumberOrName) {
+  EXPECT_THAT(ProblemsOf("dielectric", "ior water"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("dielectric", "ior 1.7 absorption 1 2 3"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("dielectric", "ior 0"),
+              ElementsAre(HasSubstr("'ior' expects a positive number or one of ")));
+  EXPECT_THAT(ProblemsOf("dielectric", "ior wood"), ElementsAre(HasSubstr("found 'wood'")));
+}
+
+TEST(Dielectric, OnlyAPaneHasAThickness) {
+  EXPECT_THAT(ProblemsOf("dielectric", "thin true thickness 0.1"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("dielectric", "thickness 0.1"), ElementsAre(HasSubstr("is not used by")));
+}
+
+// Head-on a ray goes straight on, with 4 percent less; in the denser medium it is n^2 brighter, so
+// on the way in the weight is smaller by that.
+TEST(Dielectric, CarriesRadianceIntoGlass) {
+  Bsdf bsdf;
+  SurfacePoint point;
+  point.n_shading = {0, 0, 1};
+  DielectricMaterial(1.5f, 0, {}).Evaluate(point, &bsdf);
+  const BsdfSample sample = Sample(bsdf, {0, 0, 1}, {0.5f, 0.5f});
+  EXPECT_TRUE(sample.is_delta);
+  EXPECT_TRUE(sample.is_transmission);
+  EXPECT_EQ(sample.wi, (Vec3{0, 0, -1}));
+  EXPECT_EQ(sample.eta, 1.5f);
+  EXPECT_FLOAT_EQ(sample.pdf, 0.96f);
+  EXPECT_FLOAT_EQ(sample.weight[0] * sample.pdf, 0.96f / 2.25f);
+}
+
+TEST(Plastic, HasACoatThatIsDenserThanAir) {
+  EXPECT_THAT(ProblemsOf("plastic", "albedo 1 0 0 ior 1.4 roughness 0.1"), IsEmpty());
+  EXPECT_THAT(ProblemsOf("plastic", "ior 0.9"), ElementsAre(HasSubstr("above 1")));
+}
+
+TEST(Bsdf, DrawsItsLobesByTheirPicks) {
+  Bsdf bsdf;
+  bsdf.Add({LobeKind::kMirror, 1, Spectrum(Rgb{1, 1, 1})});
+  bsdf.Add({LobeKind::kLambert, 3, Spectrum(Rgb{0.5f, 0.5f, 0.5f})});
+  const Vec3 wo = {0.6f, 0, 0.8f};
+  const BsdfSample mirrored = Sample(bsdf, wo, {0.2f, 0.5f});
+  EXPECT_TRUE(mirrored.is_delta);
+  EXPECT_EQ(mirrored.wi, (Vec3{-0.6f, 0, 0.8f}));
+  EXPECT_EQ(mirrored.pdf, 0.25f);
+  EXPECT_EQ(mirrored.weight[0], 4.0f);
+  const BsdfSample scattered = Sample(bsdf, wo, {0.3f, 0.5f});
+  EXPECT_FALSE(scattered.is_delta);
+  EXPECT_EQ(scattered.pdf, Pdf(bsdf, wo, scattered.wi));
+  EXPECT_TRUE(bsdf.HasSmoothPart());
+}
+
+TEST(Bsdf, OfAMirrorHasNoSmoothPart) {
+  Bsdf bsdf;
+  bsdf.Add({LobeKind::kMirror, 1, Spectrum(Rgb{1, 1, 1})});
+  EXPECT_FALSE(bsdf.HasSmoothPart());
+  EXPECT_TRUE(Eval(bsdf, {0, 0, 1}, {0, 0, 1}).IsBlack());
+  EXPECT_EQ(Pdf(bsdf, {0, 0, 1}, {0, 0, 1}), 0.0f);
 }
 
 TEST(Bsdf, OfAnEmptyListIsBlack) {

@@ -135,5 +135,62 @@ TEST(Disk, MapsCentreToCentreAndCornersToTheRim) {
   EXPECT_NEAR(corner.y, -std::sqrt(0.5f), 1e-7f);
 }
 
+// From a sun of half a degree to nearly everything.
+TEST(Cone, FollowsItsDensityAndInverts) {
+  for (const float one_minus_cosine : {1e-5f, 0.01f, 0.5f, 1.0f, 1.9f}) {
+    UniformNumbers numbers(4);
+    std::vector<uint64_t> counts(kRings * kSectors);
+    for (int i = 0; i < kSamples / 4; ++i) {
+      const Vec2 u = numbers.NextPair();
+      const Vec3 w = SampleCone(u, one_minus_cosine);
+      ASSERT_NEAR(Length(w), 1, 3e-7f);
+      const Vec2 back = InvertCone(w, one_minus_cosine);
+      ASSERT_NEAR(back.x, u.x, 1e-5f);
+      const float turn = std::abs(back.y - u.y);
+      ASSERT_LT(std::min(turn, 1 - turn), 1e-5f);
+      // The height over the rim, from the distance to the axis.
+      const double radius2 = double{w.x} * w.x + double{w.y} * w.y;
+      const double below = w.z > 0 ? radius2 / (1 + std::sqrt(std::max(0.0, 1 - radius2)))
+                                   : 1 + std::sqrt(std::max(0.0, 1 - radius2));
+      const size_t ring =
+          std::min(static_cast<size_t>(below / one_minus_cosine * kRings), kRings - 1);
+      ++counts[ring * kSectors + SectorOf(w.x, w.y)];
+    }
+    const std::vector<double> shares(counts.size(), 1.0 / static_cast<double>(counts.size()));
+    EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate) << one_minus_cosine;
+    EXPECT_FLOAT_EQ(ConePdf(one_minus_cosine) * static_cast<float>(2 * kPi) * one_minus_cosine, 1);
+  }
+}
+
+// Cells of equal area: squares of a grid in the barycentric weights, those across the long side cut
+// in half.
+TEST(TriangleByArea, FollowsItsDensityAndInverts) {
+  constexpr size_t kSide = 20;
+  UniformNumbers numbers(5);
+  std::vector<uint64_t> counts(kSide * kSide);
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec2 u = numbers.NextPair();
+    const Vec2 b = SampleTriangle(u);
+    ASSERT_TRUE(b.x >= 0 && b.y >= 0 && b.x + b.y <= 1);
+    const Vec2 back = InvertTriangle(b);
+    ASSERT_NEAR(back.x, u.x, 1e-6f);
+    ASSERT_NEAR(back.y, u.y, 1e-6f);
+    const auto x = std::min(static_cast<size_t>(b.x * kSide), kSide - 1);
+    const auto y = std::min(static_cast<size_t>(b.y * kSide), kSide - 1);
+    ++counts[y * kSide + x];
+  }
+  std::vector<double> shares(counts.size());
+  for (size_t y = 0; y < kSide; ++y) {
+    for (size_t x = 0; x < kSide; ++x) {
+      const double whole = 2.0 / (kSide * kSide);
+      shares[y * kSide + x] = x + y + 1 < kSide ? whole : x + y + 1 == kSide ? whole / 2 : 0;
+    }
+  }
+  // On the very diagonal rounding may put a sample into the next square.
+  for (size_t i = 1; i < kSide; ++i) EXPECT_LT(counts[i * kSide + kSide - i], 5u);
+  for (size_t i = 1; i < kSide; ++i) counts[i * kSide + kSide - i] = 0;
+  EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate);
+}
+
 }  // namespace
 }  // namespace candela

@@ -43,6 +43,44 @@ class Reading {
   ParamReader reader_{params_, "ball", where_, &diagnostics_};
 };
 
+constexpr NamedNumber kPlanets[] = {{"mars", 4}, {"venus", 2}};
+
+TEST(ParamReader, TakesANameForANumber) {
+  Reading r("a mars\nb 3");
+  EXPECT_EQ(r->PositiveOrNamed("a", kPlanets, 1), 4.0f);
+  EXPECT_EQ(r->PositiveOrNamed("b", kPlanets, 1), 3.0f);
+  EXPECT_EQ(r->PositiveOrNamed("c", kPlanets, 1), 1.0f);
+  EXPECT_THAT(r.Lines(), IsEmpty());
+}
+
+TEST(ParamReader, ListsTheNamesThatStandForNumbers) {
+  Reading r("a moon\nb -1\nc");
+  for (const char* name : {"a", "b", "c"}) r->PositiveOrNamed(name, kPlanets, 1);
+  EXPECT_THAT(
+      r.Lines(),
+      ElementsAre("f:1:9: error: 'a' expects a positive number or one of 'mars' and 'venus', found "
+                  "'moon'",
+                  "f:2:9: error: 'b' expects a positive number or one of 'mars' and 'venus', found "
+                  "'-1'",
+                  "f:3:1: error: 'c' expects a positive number or one of 'mars' and 'venus', found "
+                  "nothing"));
+}
+
+TEST(ParamReader, ReadsFlagsAndFractions) {
+  Reading r("a true\nb false\nc 1\nd yes\ne 1.1\nf 0.5");
+  EXPECT_TRUE(r->Flag("a", false));
+  EXPECT_FALSE(r->Flag("b", true));
+  EXPECT_TRUE(r->Flag("z", true));
+  EXPECT_EQ(r->Fraction("f", 0), 0.5f);
+  EXPECT_FALSE(r->Flag("c", false));
+  EXPECT_FALSE(r->Flag("d", false));
+  EXPECT_EQ(r->Fraction("e", 0.25f), 0.25f);
+  EXPECT_THAT(r.Lines(),
+              ElementsAre("f:3:9: error: 'c' expects 'true' or 'false', found '1'",
+                          "f:4:9: error: 'd' expects 'true' or 'false', found 'yes'",
+                          "f:5:9: error: 'e' expects a number from 0 to 1, found '1.1'"));
+}
+
 TEST(ParamReader, ReadsValuesOfEachKind) {
   Reading r("a 1.5\nb 1 2 3\nc word\nd 9223372036854775807");
   EXPECT_EQ(r->Number("a", 0), 1.5f);

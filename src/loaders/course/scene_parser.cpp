@@ -136,12 +136,34 @@ class Parser {
     camera.direction = reader.RequiredDirection("direction");
     camera.up = reader.RequiredDirection("up");
     camera.fov_degrees = reader.RequiredAngle("fov");
+    ReadLens(&reader, &camera);
     reader.Finish();
     if (camera_.params.is_damaged || diagnostics_.ErrorCount() > errors_before) return;
     const Vec3d direction = Normalize(ToDouble(camera.direction));
     const Vec3d up = Normalize(ToDouble(camera.up));
     if (Length(Cross(direction, up)) < 1e-7) {
       reader.Error(reader.Where("up"), "'up' is parallel to 'direction'");
+    }
+  }
+
+  void ReadLens(ParamReader* reader, CameraSpec* camera) {
+    constexpr int kMostBlades = 100;
+    camera->aperture = reader->NonNegative("aperture", 0);
+    camera->focus_distance = reader->Positive("focus_distance", 1);
+    if (reader->Has("blades")) {
+      const int64_t blades = reader->RequiredInteger("blades").value_or(0);
+      if (blades == 0 || (blades >= 3 && blades <= kMostBlades)) {
+        camera->blades = static_cast<int>(blades);
+      } else {
+        reader->Error(reader->Where("blades"),
+                      fmt::format("'blades' expects 3 to {}, or 0 for a round opening, found '{}'",
+                                  kMostBlades, blades));
+      }
+    }
+    // Without a distance the picture would be sharp where nobody has asked for it.
+    if (camera->aperture > 0 && !reader->Has("focus_distance")) {
+      reader->Error(reader->Where("aperture"),
+                    "a camera with an 'aperture' needs 'focus_distance'");
     }
   }
 
@@ -152,7 +174,26 @@ class Parser {
     background.ambient_light = reader.Color("ambient_light", {0, 0, 0});
     background.cube_map = reader.Word("cube_map");
     background.cube_map_where = reader.Where("cube_map");
+    ReadEnvironment(&reader);
     reader.Finish();
+  }
+
+  void ReadEnvironment(ParamReader* reader) {
+    BackgroundSpec& background = scene_.background;
+    background.environment = reader->Word("environment");
+    background.environment_where = reader->Where("environment");
+    background.environment_scale = reader->NonNegative("scale", 1);
+    background.environment_rotate_degrees = reader->Number("rotate", 0);
+    if (!reader->Has("environment")) {
+      for (const std::string_view name : {"scale", "rotate"}) {
+        if (!reader->Has(name)) continue;
+        reader->Error(reader->Where(name),
+                      fmt::format("'{}' is for an 'environment', of which there is none", name));
+      }
+    } else if (reader->Has("cube_map")) {
+      reader->Error(background.environment_where,
+                    "a background has a 'cube_map' or an 'environment', not both");
+    }
   }
 
   Tokenizer tokens_;

@@ -37,6 +37,39 @@ TEST(SceneParser, CameraAndBackground) {
   EXPECT_EQ(spec.background.cube_map, "sky");
 }
 
+TEST(SceneParser, ACameraMayHaveALens) {
+  const std::string camera = "Camera { center 1 2 3 direction 0 0 -1 up 0 1 0 fov 30 ";
+  const SceneSpec spec = Parse(camera + "aperture .5 focus_distance 4 blades 7 } Scene { }");
+  EXPECT_EQ(spec.camera.aperture, 0.5f);
+  EXPECT_EQ(spec.camera.focus_distance, 4);
+  EXPECT_EQ(spec.camera.blades, 7);
+  EXPECT_EQ(Parse(kCamera + "Scene { }").camera.aperture, 0);
+
+  std::vector<std::string> lines;
+  Parse(camera + "aperture .5 } Scene { }", &lines);
+  EXPECT_THAT(lines,
+              ElementsAre("s:1:65: error: a camera with an 'aperture' needs 'focus_distance'"));
+  Parse(camera + "blades 2 } Scene { }", &lines);
+  EXPECT_THAT(lines, ElementsAre("s:1:63: error: 'blades' expects 3 to 100, or 0 for a round "
+                                 "opening, found '2'"));
+}
+
+TEST(SceneParser, ABackgroundMayBeAnEnvironment) {
+  const SceneSpec spec =
+      Parse(kCamera + "Background { environment sky.exr scale 2 rotate -30 } Scene { }");
+  EXPECT_EQ(spec.background.environment, "sky.exr");
+  EXPECT_EQ(spec.background.environment_scale, 2);
+  EXPECT_EQ(spec.background.environment_rotate_degrees, -30);
+
+  std::vector<std::string> lines;
+  Parse(kCamera + "Background { environment sky.exr cube_map sky } Scene { }", &lines);
+  EXPECT_THAT(lines, ElementsAre("s:2:26: error: a background has a 'cube_map' or an "
+                                 "'environment', not both"));
+  Parse(kCamera + "Background { scale 2 } Scene { }", &lines);
+  EXPECT_THAT(lines, ElementsAre("s:2:20: error: 'scale' is for an 'environment', of which there "
+                                 "is none"));
+}
+
 TEST(SceneParser, MaterialsArePhongUnlessTheySayOtherwise) {
   const SceneSpec spec =
       Parse(kCamera +

@@ -1,0 +1,57 @@
+#include "lights/spot_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lights/light_context.h"
+#include "math/elementary.h"
+
+namespace candela {
+
+SpotLight::SpotLight(Vec3 position, const Beam& beam, Rgb color, float attenuation)
+    : position_(position),
+      direction_(NormalizeAnyLength(beam.direction)),
+      cosine_inner_(beam.cosine_inner),
+      cosine_outer_(beam.cosine_outer),
+      color_(color),
+      attenuation_(attenuation) {}
+
+std::unique_ptr<Light> SpotLight::Create(ParamReader* params, const LightContext& context) {
+  const Vec3 direction = params->RequiredDirection("direction");
+  const float angle = params->RequiredAngle("angle");
+  const float blend = params->Fraction("blend", 0.15f);
+  const Rgb color = params->Color("color", {1, 1, 1});
+  const float attenuation = params->Positive("attenuation", 20);
+  Vec3 in_world = context.world_from_node.Vector(direction);
+  // A node that squeezes the direction away is reported with its place.
+  if (in_world == Vec3() || !IsFinite(in_world)) in_world = direction;
+  const Beam beam{in_world, static_cast<float>(CosDegrees(double{angle} / 2 * (1 - double{blend}))),
+                  static_cast<float>(CosDegrees(double{angle} / 2))};
+  return std::make_unique<SpotLight>(context.world_from_node.Point({0, 0, 0}), beam, color,
+                                     attenuation);
+}
+
+float SpotLight::Falloff(float cosine) const {
+  if (cosine >= cosine_inner_) return 1;
+  if (!(cosine > cosine_outer_)) return 0;
+  const float x = (cosine - cosine_outer_) / (cosine_inner_ - cosine_outer_);
+  return x * x * (3 - 2 * x);  // Level at both ends.
+}
+
+LightSample SpotLight::SampleIncident(Vec3 p) const {
+  const Vec3 to_light = position_ - p;
+  const float squared = Dot(to_light, to_light);
+  if (squared == 0) return {};  // In the light itself there is no direction to it.
+  const float distance = std::sqrt(squared);
+  const Vec3 direction = to_light / distance;
+  const Rgb radiance = color_ * (Falloff(-Dot(direction, direction_)) / (attenuation_ * squared));
+  return {direction, Spectrum(radiance), distance};
+}
+
+LightReach SpotLight::Reach() const {
+  // As if it shone all around: whoever is in its beam sees no less.
+  constexpr auto kAllAround = static_cast<float>(4 * kPi);
+  return {std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
+}
+
+}  // namespace candela

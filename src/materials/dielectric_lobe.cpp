@@ -1,0 +1,248 @@
+#include "materials/dielectric_lobe.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "materials/energy_table.h"
+#include "materials/fresnel.h"
+#include "math/elementary.h"
+
+namespace candela {
+namespace {
+
+constexpr auto kInvPi = static_cast<float>(1 / kPi);
+
+Vec3 Reflected(Vec3 w, Vec3 m) {
+  return m * (2 * Dot(w, m)) - w;
+}
+
+/// Into the medium of `eta` times the index, where the cosine to -m is `cos_beyond`: Snell's law.
+Vec3 Refracted(Vec3 w, Vec3 m, float eta, float cos_beyond) {
+  return Normalize(m * (Dot(w, m) / eta - cos_beyond) - w * (1 / eta));
+}
+
+/// A number in [0, 1) without relation to the pair that it is made of: the facet takes all of that,
+/// and what happens on it is known only then. By the finaliser of Steele, Lea and Flood, "Fast
+/// Splittable Pseudorandom Number Generators", 2014.
+float ThirdNumber(Vec2 u) {
+  uint64_t bits = uint64_t{std::bit_cast<uint32_t>(u.x)} << 32 | std::bit_cast<uint32_t>(u.y);
+  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9u;
+  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;
+  bits ^= bits >> 31;
+  return static_cast<float>(bits >> 40) * 0x1p-24f;
+}
+
+/// The share of the light on `wo` that is gone after one bounce.
+float SingleShare(const DielectricParams& glass, Vec3 wo) {
+  return glass.energy_here->At(wo.z, glass.table_row);
+}
+
+/// Of the light that has met several facets, the part that is reflected.
+float MultipleReflected(const DielectricParams& glass) {
+  const float here = 1 - glass.energy_here->Mean(glass.table_row);
+  const float beyond = 1 - glass.energy_beyond->Mean(glass.table_row);
+  const float weight_beyond = glass.eta * glass.eta * beyond;
+  const float sum = here + weight_beyond;
+  return sum > 0 ? here / sum : 1;
+}
+
+/// How densely that light leaves to `w` over its cosine, as a part of what leaves on its side.
+float MultipleShape(const EnergyTable& energy, float row, float cosine) {
+  const float missing = 1 - energy.Mean(row);
+  return missing > 1e-7f ? (1 - energy.At(cosine, row)) * kInvPi / missing : 0;
+}
+
+float MultipleValue(const DielectricParams& glass, Vec3 wo, Vec3 wi) {
+  const float missing = 1 - SingleShare(glass, wo);
+  const float reflected = MultipleReflected(glass);
+  if (wi.z > 0) {
+    return missing * reflected * MultipleShape(*glass.energy_here, glass.table_row, wi.z);
+  }
+  return missing * (1 - reflected) / (glass.eta * glass.eta) *
+         MultipleShape(*glass.energy_beyond, glass.table_row, -wi.z);
+}
+
+/// What a pair of directions means for a rough boundary; `is_possible` is false where no facet
+/// leads from one to the other.
+struct FacetPath {
+  bool is_possible = false;
+  Vec3 m;
+  float o_dot_m = 0, i_dot_m = 0;
+  float reflectance = 0;
+  float jacobian = 0;  ///< Density of `wi` over that of `m`.
+};
+
+FacetPath PathOver(const DielectricParams& glass, Vec3 wo, Vec3 wi) {
+  FacetPath path;
+  const bool is_reflection = wi.z > 0;
+  const Vec3 half = is_reflection ? wo + wi : wo + wi * glass.eta;
+  const float length = Length(half);
+  if (!(length > 0)) return path;
+  path.m = half * (1 / length);
+  if (path.m.z < 0) path.m = -path.m;
+  // In reflection half of the length is the cosine of both, with the same rounding.
+  path.o_dot_m = is_reflection ? length / 2 : Dot(wo, path.m);
+  path.i_dot_m = is_reflection ? length / 2 : Dot(wi, path.m);
+  // A facet is seen from its front by one and, in refraction, from its back by the other.
+  if (!(path.o_dot_m > 0) || (path.i_dot_m > 0) != is_reflection) return path;
+  // What goes through is judged from the thinner side, where the reflectance has no steep end.
+  const bool is_from_beyond = !is_reflection && glass.eta < 1;
+  const float cosine = is_from_beyond ? -path.i_dot_m : path.o_dot_m;
+  float unused;
+  path.reflectance = DielectricReflectance(std::min(cosine, 1.0f),
+                                           is_from_beyond ? 1 / glass.eta : glass.eta, &unused);
+  if (is_reflection) {
+    path.jacobian = 1 / (4 * path.o_dot_m);
+  } else {
+    const float denominator = path.i_dot_m + path.o_dot_m / glass.eta;
+    path.jacobian = std::abs(path.i_dot_m) / (denominator * denominator);
+  }
+  path.is_possible = true;
+  return path;
+}
+
+float SingleDensity(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
+  if (!path.is_possible) return 0;
+  const float choice = wi.z > 0 ? path.reflectance : 1 - path.reflectance;
+  return choice * glass.surface.VisibleDensity(wo, path.m) * path.jacobian;
+}
+
+float DensityOf(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
+  const float share = SingleShare(glass, wo);
+  const float reflected = MultipleReflected(glass);
+  const float multiple =
+      wi.z > 0 ? reflected * glass.energy_here->MissingPdf(wi.z, glass.table_row)
+               : (1 - reflected) * glass.energy_beyond->MissingPdf(-wi.z, glass.table_row);
+  return share * SingleDensity(glass, path, wo, wi) + (1 - share) * multiple;
+}
+
+float SingleValue(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
+  if (!path.is_possible) return 0;
+  const float facets = glass.surface.Density(path.m) * glass.surface.MaskingAndShadowing(wo, wi) /
+                       (wo.z * std::abs(wi.z));
+  if (wi.z > 0) return path.reflectance * facets / 4;
+  return (1 - path.reflectance) * facets * path.o_dot_m * path.jacobian / (glass.eta * glass.eta);
+}
+
+float Value(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
+  return SingleValue(glass, path, wo, wi) + MultipleValue(glass, wo, wi);
+}
+
+float RefractedShare(float eta, const Ggx& surface, Vec3 wo, Vec3 m, float cos_beyond) {
+  const Vec3 wi = Refracted(wo, m, eta, cos_beyond);
+  if (!(wi.z < 0)) return 0;
+  return surface.MaskingAndShadowing(wo, wi) / surface.Masking(wo);
+}
+
+Rgb Exp(Rgb x) {
+  return {candela::Exp(x.x), candela::Exp(x.y), candela::Exp(x.z)};
+}
+
+}  // namespace
+
+LobeSample SampleSmoothDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  const float eta = lobe.dielectric.eta;
+  float beyond;
+  const float reflectance = DielectricReflectance(std::min(wo.z, 1.0f), eta, &beyond);
+  LobeSample sample;
+  sample.is_delta = true;
+  if (u.x < reflectance) {
+    sample.wi = MirrorDirection(wo);
+    sample.pdf = reflectance;
+    sample.weight = lobe.weight;
+  } else {
+    sample.wi = Refracted(wo, {0, 0, 1}, eta, beyond);
+    sample.pdf = 1 - reflectance;
+    sample.weight = lobe.weight * (1 / (eta * eta));
+    sample.eta = eta;
+  }
+  return sample;
+}
+
+Spectrum EvalDielectric(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+  const FacetPath path = PathOver(lobe.dielectric, wo, wi);
+  return lobe.weight * Value(lobe.dielectric, path, wo, wi);
+}
+
+float DielectricPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+  return DensityOf(lobe.dielectric, PathOver(lobe.dielectric, wo, wi), wo, wi);
+}
+
+LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  const DielectricParams& glass = lobe.dielectric;
+  LobeSample sample;
+  bool is_reflection;
+  if (SplitChoice(SingleShare(glass, wo), &u.x)) {
+    const Vec3 m = glass.surface.SampleVisible(wo, u);
+    const float cosine = std::min(Dot(wo, m), 1.0f);
+    float beyond;
+    const float reflectance = DielectricReflectance(cosine, glass.eta, &beyond);
+    is_reflection = ThirdNumber(u) < reflectance;
+    sample.wi = is_reflection ? Reflected(wo, m) : Refracted(wo, m, glass.eta, beyond);
+  } else {
+    is_reflection = SplitChoice(MultipleReflected(glass), &u.x);
+    const EnergyTable& energy = is_reflection ? *glass.energy_here : *glass.energy_beyond;
+    sample.wi = energy.SampleMissing(glass.table_row, u);
+    if (!is_reflection) sample.wi.z = -sample.wi.z;
+  }
+  if (is_reflection ? !(sample.wi.z > 0) : !(sample.wi.z < 0)) return {};
+  const FacetPath path = PathOver(glass, wo, sample.wi);
+  sample.pdf = DensityOf(glass, path, wo, sample.wi);
+  if (!(sample.pdf > 0)) return {};
+  sample.weight =
+      lobe.weight * (Value(glass, path, wo, sample.wi) * std::abs(sample.wi.z) / sample.pdf);
+  if (!is_reflection) sample.eta = glass.eta;
+  return sample;
+}
+
+float CoatFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m) {
+  float beyond;
+  return DielectricReflectance(std::min(Dot(wo, m), 1.0f), eta, &beyond) *
+         MirrorFacet(surface, wo, m);
+}
+
+float DielectricFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m) {
+  float beyond;
+  const float reflectance = DielectricReflectance(std::min(Dot(wo, m), 1.0f), eta, &beyond);
+  float share = reflectance * MirrorFacet(surface, wo, m);
+  if (reflectance < 1) share += (1 - reflectance) * RefractedShare(eta, surface, wo, m, beyond);
+  return share;
+}
+
+// With the reflectance R of one face and the transmittance a of the way between them, the rays that
+// leave on either side form geometric series: R + R (1 - R)^2 a^2 / (1 - R^2 a^2), and
+// (1 - R)^2 a / (1 - R^2 a^2).
+PaneShares SharesOfPane(const PaneParams& pane, float cosine) {
+  float inside;
+  const float r = DielectricReflectance(std::min(cosine, 1.0f), pane.ior, &inside);
+  const Rgb a = Exp(pane.depth * (-1 / inside));
+  const auto channel = [r](float t, float* reflected, float* through) {
+    const float series = (1 - r) * (1 - r) * t / std::max(1 - r * r * t * t, 1e-7f);
+    *through = series;
+    *reflected = r + r * t * series;
+  };
+  PaneShares shares;
+  channel(a.x, &shares.reflected.x, &shares.through.x);
+  channel(a.y, &shares.reflected.y, &shares.through.y);
+  channel(a.z, &shares.reflected.z, &shares.through.z);
+  return shares;
+}
+
+LobeSample SamplePane(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  const PaneShares shares = SharesOfPane(lobe.pane, wo.z);
+  const float reflected = shares.reflected.x + shares.reflected.y + shares.reflected.z;
+  const float through = shares.through.x + shares.through.y + shares.through.z;
+  const float choice = reflected / (reflected + through);
+  LobeSample sample;
+  sample.is_delta = true;
+  const bool is_reflection = u.x < choice;
+  sample.wi = is_reflection ? MirrorDirection(wo) : -wo;
+  sample.pdf = is_reflection ? choice : 1 - choice;
+  const Rgb share = is_reflection ? shares.reflected : shares.through;
+  sample.weight = lobe.weight * Spectrum(share * (1 / sample.pdf));
+  return sample;
+}
+
+}  // namespace candela

@@ -1,0 +1,218 @@
+#include "materials/energy_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/elementary.h"
+
+namespace candela {
+namespace {
+
+// The columns stand at the squares of 0, 1/31, ... 1: close to each other at the horizon, where the
+// share changes fast.
+constexpr int kColumns = 32;
+constexpr float kNearestToHorizon = 1e-4f;
+constexpr int kRoughnessRows = 16;
+constexpr int kAzimuthRows = 9;
+constexpr int kIntervals = kColumns - 1;
+// Where the integral over the facets that a direction sees is evaluated. The rings are crowded at
+// the end of the steep facets, which are few but lose most.
+constexpr int kTurns = 24, kRings = 32;
+
+float Column(float cosine) {
+  return std::sqrt(cosine) * (kColumns - 1);
+}
+
+/// Between two neighbours of a list.
+struct Place {
+  Place(float position, int size)
+      : index(std::clamp(static_cast<int>(position), 0, std::max(0, size - 2))),
+        fraction(size > 1 ? std::clamp(position - static_cast<float>(index), 0.0f, 1.0f) : 0) {}
+  int index;
+  float fraction;
+};
+
+float Blend(float a, float b, float t) {
+  return a * (1 - t) + b * t;
+}
+
+/// Replaces each row by the integral over the azimuth, of rows that are blended in between.
+void AverageRows(std::vector<float>* values, size_t columns) {
+  const size_t rows = values->size() / columns;
+  for (size_t column = 0; column < columns; ++column) {
+    double sum = 0;
+    for (size_t row = 0; row < rows; ++row) {
+      const bool is_end = row == 0 || row + 1 == rows;
+      sum += (is_end ? 0.5 : 1.0) * double{(*values)[row * columns + column]};
+    }
+    const auto mean = static_cast<float>(sum / static_cast<double>(rows - 1));
+    for (size_t row = 0; row < rows; ++row) (*values)[row * columns + column] = mean;
+  }
+}
+
+/// The square of the cosine at a column, and how much of it lies between that and the next: as much
+/// as of the projected area, over pi.
+float SquareAt(int column) {
+  const float root = static_cast<float>(column) / kIntervals;
+  return root * root * root * root;
+}
+float SquaresBetween(int column) {
+  return SquareAt(column + 1) - SquareAt(column);
+}
+
+float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet) {
+  double sum = 0;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const float s = (static_cast<float>(ring) + 0.5f) / kRings;
+    double ring_sum = 0;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      // Each ring is turned against its neighbours, so that the two directions resolve each other.
+      const float at = static_cast<float>(turn) + (static_cast<float>(ring % 4) + 0.5f) / 4;
+      const Vec3 m = surface.SampleVisible(wo, {at / kTurns, 1 - s * s * s});
+      ring_sum += static_cast<double>(facet(surface, wo, m));
+    }
+    sum += ring_sum * 3 * double{s} * double{s};
+  }
+  // The weights of the midpoints do not add up to 1 exactly.
+  constexpr double kWeights = kRings - 0.25 / kRings;
+  return static_cast<float>(std::min(sum / (kWeights * kTurns), 1.0));
+}
+
+}  // namespace
+
+EnergyTable EnergyTable::OfRoughness(float alpha, const Facet& facet) {
+  EnergyTable table;
+  table.AddRow({alpha, alpha}, 0, facet);
+  table.Summarise();
+  return table;
+}
+
+EnergyTable EnergyTable::OfAllRoughness(const Facet& facet) {
+  EnergyTable table;
+  for (int row = 0; row < kRoughnessRows; ++row) {
+    const float root = static_cast<float>(row) / (kRoughnessRows - 1);
+    const float alpha = std::max(root * root, kSmoothestAlpha);
+    table.AddRow({alpha, alpha}, 0, facet);
+  }
+  table.Summarise();
+  return table;
+}
+
+EnergyTable EnergyTable::OfAnisotropic(const Ggx& surface, const Facet& facet) {
+  EnergyTable table;
+  for (int row = 0; row < kAzimuthRows; ++row) {
+    table.AddRow(surface,
+                 static_cast<float>(kPi / 2) * static_cast<float>(row) / (kAzimuthRows - 1), facet);
+  }
+  table.Summarise();
+  // Light from everywhere comes from all azimuths.
+  AverageRows(&table.means_, 1);
+  AverageRows(&table.missing_, kColumns);
+  return table;
+}
+
+float EnergyTable::RowOfRoughness(float alpha) {
+  return std::sqrt(alpha) * (kRoughnessRows - 1);
+}
+
+float EnergyTable::RowOfAzimuth(Vec3 w) {
+  const float quarter = static_cast<float>(kPi / 2);
+  return Atan2(std::abs(w.y), std::abs(w.x)) / quarter * (kAzimuthRows - 1);
+}
+
+void EnergyTable::AddRow(const Ggx& surface, float azimuth, const Facet& facet) {
+  ++rows_;
+  const float c = Cos(azimuth), s = Sin(azimuth);
+  for (int column = 0; column < kColumns; ++column) {
+    const float root = static_cast<float>(column) / (kColumns - 1);
+    const float cosine = std::max(root * root, kNearestToHorizon);
+    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    shares_.push_back(ShareOf(surface, {sine * c, sine * s, cosine}, facet));
+  }
+}
+
+void EnergyTable::Summarise() {
+  // The mean is that of the blended shares rather than of the true ones: with it the added term
+  // gives back exactly what the table says to be missing. Of a polynomial of degree 4 in the root
+  // of the cosine, three points of Gauss give the exact integral.
+  constexpr double kNodes[] = {-0.7745966692414834, 0, 0.7745966692414834};
+  constexpr double kWeights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  for (int row = 0; row < rows_; ++row) {
+    double missing = 0, area = 0;
+    for (int interval = 0; interval < kIntervals; ++interval) {
+      for (int i = 0; i < 3; ++i) {
+        const double root = (interval + 0.5 + 0.5 * kNodes[i]) / kIntervals;
+        const float share = At(static_cast<float>(root * root), static_cast<float>(row));
+        missing += kWeights[i] * 2 * root * root * root * (1 - double{share}) / kIntervals;
+      }
+    }
+    means_.push_back(static_cast<float>(1 - missing));
+
+    // Directions are drawn by straight lines in the square of the cosine instead.
+    const float* shares = &shares_[static_cast<size_t>(row * kColumns)];
+    for (int i = 0; i < kIntervals; ++i) {
+      area += (2 - double{shares[i]} - double{shares[i + 1]}) / 2 * SquaresBetween(i);
+    }
+    for (int i = 0; i < kColumns; ++i) {
+      missing_.push_back(static_cast<float>(area > 0 ? (1 - double{shares[i]}) / area : 1));
+    }
+  }
+}
+
+float EnergyTable::At(float cosine, float row) const {
+  const Place x(Column(cosine), kColumns), y(row, rows_);
+  const float* here = &shares_[static_cast<size_t>(y.index * kColumns + x.index)];
+  const float lower = Blend(here[0], here[1], x.fraction);
+  if (y.fraction == 0) return lower;
+  return Blend(lower, Blend(here[kColumns], here[kColumns + 1], x.fraction), y.fraction);
+}
+
+float EnergyTable::Mean(float row) const {
+  const Place y(row, rows_);
+  const float* here = &means_[static_cast<size_t>(y.index)];
+  return y.fraction == 0 ? here[0] : Blend(here[0], here[1], y.fraction);
+}
+
+float EnergyTable::MissingAt(int column, float row) const {
+  const Place y(row, rows_);
+  const float* here = &missing_[static_cast<size_t>(y.index * kColumns + column)];
+  return y.fraction == 0 ? here[0] : Blend(here[0], here[kColumns], y.fraction);
+}
+
+Vec3 EnergyTable::SampleMissing(float row, Vec2 u) const {
+  // The interval whose part of the sum contains u.y.
+  int interval = 0;
+  float left = u.y, a = MissingAt(0, row), b = MissingAt(1, row);
+  float probability = (a + b) / 2 * SquaresBetween(0);
+  while (left >= probability && interval + 1 < kIntervals) {
+    left -= probability;
+    ++interval;
+    a = b;
+    b = MissingAt(interval + 1, row);
+    probability = (a + b) / 2 * SquaresBetween(interval);
+  }
+  // Within it the density goes from a to b in a straight line.
+  const float part = probability > 0 ? std::min(left / probability, 1.0f) : 0;
+  const float root = std::sqrt(Blend(a * a, b * b, part));
+  const float t = a + root > 0 ? std::min(part * (a + b) / (a + root), 1.0f) : part;
+  const float square = std::min(SquareAt(interval) + t * SquaresBetween(interval), 1.0f);
+  const float sine = std::sqrt(1 - square);
+  const float phi = static_cast<float>(2 * kPi) * u.x;
+  return {sine * Cos(phi), sine * Sin(phi), std::sqrt(square)};
+}
+
+float EnergyTable::MissingPdf(float cosine, float row) const {
+  const int interval = Place(Column(cosine), kColumns).index;
+  const float t = (cosine * cosine - SquareAt(interval)) / SquaresBetween(interval);
+  const float density =
+      Blend(MissingAt(interval, row), MissingAt(interval + 1, row), std::clamp(t, 0.0f, 1.0f));
+  return density * cosine * static_cast<float>(1 / kPi);
+}
+
+float MirrorFacet(const Ggx& surface, Vec3 wo, Vec3 m) {
+  const Vec3 wi = m * (2 * Dot(wo, m)) - wo;
+  if (!(wi.z > 0)) return 0;
+  return surface.MaskingAndShadowing(wo, wi) / surface.Masking(wo);
+}
+
+}  // namespace candela

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "materials/ggx.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+
+namespace candela {
+
+class EnergyTable;
+
+/// What a surface can do with light: a closed list, since transport dispatches on it.
+enum class LobeKind : uint8_t {
+  kLambert,           ///< Ideally diffuse: the same radiance in all directions of the upper side.
+  kOrenNayar,         ///< Diffuse with roughness.
+  kPhong,             ///< A power of the cosine to the mirrored direction, normalised.
+  kMirror,            ///< Reflects the weight, whatever the angle.
+  kSmoothConductor,   ///< Polished metal.
+  kConductor,         ///< Rough metal.
+  kSmoothDielectric,  ///< Polished glass: reflects and refracts.
+  kDielectric,        ///< Ground glass.
+  kPane,              ///< A thin sheet of polished glass, which shifts nothing.
+  kPlastic,           ///< A diffuse base under a polished or rough coat of dielectric.
+};
+
+struct OrenNayarParams {
+  float roughness;  ///< From 0 to 1.
+};
+
+struct PhongLobeParams {
+  float exponent;
+};
+
+struct ConductorParams {
+  Rgb eta, k;        ///< The complex refractive index eta + i k.
+  Rgb mean_fresnel;  ///< The reflectance for diffuse light.
+  Ggx surface;
+  float cos_rotation, sin_rotation;  ///< Of the direction of `alpha_x` in the frame.
+  const EnergyTable* energy;         ///< Of what a white metal reflects after one bounce.
+  float table_row;
+};
+
+struct DielectricParams {
+  float eta;  ///< The refractive index beyond the surface over that on the side of `wo`.
+  Ggx surface;
+  /// Of what is reflected or let through after one bounce, for light from either side.
+  const EnergyTable *energy_here, *energy_beyond;
+  float table_row;
+};
+
+struct PaneParams {
+  float ior;
+  Rgb depth;  ///< The optical depth of a straight way through the pane, inside.
+};
+
+struct PlasticParams {
+  float eta;  ///< The refractive index of the coat.
+  Ggx surface;
+  float mean_share;           ///< Of diffuse light from outside the part that the coat reflects,
+  const EnergyTable* energy;  ///< and, where it is rough, of light from each direction.
+  float table_row;
+};
+
+/// One part of what a surface does with light: `kind` says which of the structures counts. The
+/// weight multiplies all of it; for the diffuse ones and the mirror it is the albedo.
+struct Lobe {
+  LobeKind kind;
+  float pick;  ///< How often it is drawn, in relation to that of the other lobes; not negative.
+  Spectrum weight;
+  /// By kind; of the others there are none.
+  union {
+    float no_params;
+    OrenNayarParams oren_nayar;
+    PhongLobeParams phong;
+    ConductorParams conductor;
+    DielectricParams dielectric;
+    PaneParams pane;
+    PlasticParams plastic;
+  };
+
+  Lobe() : Lobe(LobeKind::kLambert, 1, Spectrum()) {}
+  Lobe(LobeKind lobe_kind, float lobe_pick, const Spectrum& lobe_weight)
+      : kind(lobe_kind), pick(lobe_pick), weight(lobe_weight), no_params(0) {}
+};
+
+/// True for lobes that send light from one direction into one direction, or into two.
+constexpr bool IsDelta(LobeKind kind) {
+  return kind == LobeKind::kMirror || kind == LobeKind::kSmoothConductor ||
+         kind == LobeKind::kSmoothDielectric || kind == LobeKind::kPane;
+}
+
+/// A direction drawn from a lobe; see `BsdfSample`, whose terms it has.
+struct LobeSample {
+  Vec3 wi;
+  Spectrum weight;
+  float pdf = 0;
+  bool is_delta = false;
+  float eta = 1;
+};
+
+// Directions are those of a frame whose z axis is the normal, and `wo` has a z above 0; a `wi` with
+// a negative z is on the other side. The values of diffuse lobes are 0 there.
+
+Spectrum EvalLobe(const Lobe& lobe, Vec3 wo, Vec3 wi);
+float LobePdf(const Lobe& lobe, Vec3 wo, Vec3 wi);
+LobeSample SampleLobe(const Lobe& lobe, Vec3 wo, Vec2 u);
+
+/// The direction in which a mirror in the plane z = 0 throws light.
+constexpr Vec3 MirrorDirection(Vec3 w) {
+  return {-w.x, -w.y, w.z};
+}
+
+/// Splits a number in [0, 1) at `share`: true with that probability, and `*u` is again a number in
+/// [0, 1) with no relation to the answer.
+inline bool SplitChoice(float share, float* u) {
+  constexpr float kBelowOne = 0x1.fffffep-1f;
+  if (*u < share) {
+    *u = std::min(*u / share, kBelowOne);
+    return true;
+  }
+  *u = std::min((*u - share) / (1 - share), kBelowOne);
+  return false;
+}
+
+}  // namespace candela

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "scene_spec/param_reader.h"
+#include "shapes/shape.h"
+
+namespace candela {
+
+struct ShapeContext;
+
+/// A flat rectangle around the origin in the plane z = 0, edges included, hit from both sides. Its
+/// sides are parallel to x and y, its normal points to +z.
+class Rectangle final : public Shape {
+ public:
+  /// Full lengths of the sides along x and y.
+  Rectangle(float width, float height) : half_width_(width / 2), half_height_(height / 2) {}
+  static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
+
+  Bounds3 ObjectBounds() const override;
+  bool Intersect(const Ray& ray, HitRecord* hit) const override;
+  SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  std::unique_ptr<const SurfaceSampler> MakeSampler(
+      const Transform& world_from_object, const Transform& object_from_world) const override;
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  float half_width_, half_height_;
+};
+
+}  // namespace candela

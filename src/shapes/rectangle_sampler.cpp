@@ -1,0 +1,71 @@
+#include <cmath>
+
+#include "sampling/spherical_rectangle.h"
+#include "shapes/rectangle.h"
+#include "shapes/surface_sampler.h"
+
+namespace candela {
+namespace {
+
+/// By solid angle. By area where the transform has made a parallelogram of the rectangle, and where
+/// it is seen so small that both come to the same.
+class RectangleSampler final : public SurfaceSampler {
+ public:
+  RectangleSampler(Vec3 corner, Vec3 side_x, Vec3 side_y, Vec3 n)
+      : corner_(ToDouble(corner)), side_x_(ToDouble(side_x)), side_y_(ToDouble(side_y)), n_(n) {
+    area_ = Length(Cross(side_x_, side_y_));
+    size_ = Length(side_x) + Length(side_y);
+    const double slant = std::abs(Dot(side_x_, side_y_));
+    is_right_angled_ = slant <= 1e-6 * Length(side_x_) * Length(side_y_);
+  }
+
+  SurfaceSample Sample(Vec3 from, Vec2 u) const override {
+    if (IsInPlane(from, ToFloat(corner_), n_, size_)) return {};
+    if (!is_right_angled_) return SampleByArea(from, PointAt(u), n_, area_);
+    const SphericalRectangle seen = SeenFrom(from);
+    if (!IsLarge(seen)) return SampleByArea(from, PointAt(u), n_, area_);
+    SurfaceSample sample = SampleByArea(from, PointAt(seen.Sample(u)), n_, area_);
+    if (sample.pdf > 0) sample.pdf = static_cast<float>(seen.Pdf());
+    return sample;
+  }
+
+  float Pdf(Vec3 from, Vec3 p, Vec3) const override {
+    if (IsInPlane(from, ToFloat(corner_), n_, size_)) return 0;
+    if (is_right_angled_) {
+      const SphericalRectangle seen = SeenFrom(from);
+      if (IsLarge(seen)) return static_cast<float>(seen.Pdf());
+    }
+    return PdfByArea(from, p, n_, area_);
+  }
+
+  double Area() const override { return area_; }
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  SphericalRectangle SeenFrom(Vec3 from) const {
+    return {corner_ - ToDouble(from), side_x_, side_y_};
+  }
+  static bool IsLarge(const SphericalRectangle& seen) { return seen.SolidAngle() > 1e-6; }
+  Vec3 PointAt(Vec2 place) const {
+    return ToFloat(corner_ + side_x_ * double{place.x} + side_y_ * double{place.y});
+  }
+
+  Vec3d corner_, side_x_, side_y_;
+  Vec3 n_;
+  double area_;
+  float size_;
+  bool is_right_angled_;
+};
+
+}  // namespace
+
+std::unique_ptr<const SurfaceSampler> Rectangle::MakeSampler(
+    const Transform& world_from_object, const Transform& object_from_world) const {
+  return std::make_unique<RectangleSampler>(
+      world_from_object.Point({-half_width_, -half_height_, 0}),
+      world_from_object.Vector({2 * half_width_, 0, 0}),
+      world_from_object.Vector({0, 2 * half_height_, 0}),
+      NormalizeAnyLength(object_from_world.TransposedVector({0, 0, 1})));
+}
+
+}  // namespace candela

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "math/vec.h"
+
+namespace candela {
+
+/// A point of a surface as another point sees it.
+struct SurfaceSample {
+  Vec3 direction;      ///< Unit vector to the point of the surface.
+  float distance = 0;  ///< A little short of it, by the rounding of both points: a ray of this
+                       ///< length does not meet the surface there.
+  Vec3 n;              ///< Unit normal, on the side that the definition of the surface says.
+  float pdf = 0;       ///< Over solid angle; 0 when nothing was drawn.
+};
+
+/// Draws points of the surface of one object, in world space, for lights: as they are seen from
+/// somewhere, such that where much of the light comes from many are drawn. What other objects hide
+/// is not known here. Immutable; called concurrently.
+class SurfaceSampler {
+ public:
+  virtual ~SurfaceSampler() = default;
+
+  /// A point as it is seen from `from`, drawn with two numbers in [0, 1). Nothing for a `from`
+  /// where rays that happen to hit the surface are the better way, like inside of a sphere, or
+  /// where the surface cannot be told from its edge.
+  virtual SurfaceSample Sample(Vec3 from, Vec2 u) const = 0;
+
+  /// The density over solid angle with which `Sample(from)` draws the point `p` of the surface, the
+  /// nearest in its direction, where the unit normal is `n`. 0 where it draws nothing.
+  virtual float Pdf(Vec3 from, Vec3 p, Vec3 n) const = 0;
+
+  /// Of one side.
+  virtual double Area() const = 0;
+
+  virtual uint64_t MemoryBytes() const = 0;
+};
+
+/// The sample of a point that was drawn by area, from all of `area`.
+SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+
+/// Its density over solid angle: distance squared / (area cosine); 0 for a point seen edge-on.
+float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+
+/// Whether a point lies in the plane through `p`, as well as single precision can tell. `size` is
+/// that of what lies in the plane.
+bool IsInPlane(Vec3 from, Vec3 p, Vec3 n, float size);
+
+}  // namespace candela

@@ -1,0 +1,63 @@
+#include "sampling/spherical_triangle.h"
+#include "sampling/warp.h"
+#include "shapes/surface_sampler.h"
+#include "shapes/triangle.h"
+
+namespace candela {
+namespace {
+
+/// By solid angle; by area where the triangle is seen so small that both come to the same.
+class TriangleSampler final : public SurfaceSampler {
+ public:
+  TriangleSampler(Vec3 a, Vec3 b, Vec3 c, Vec3 n) : a_(a), b_(b), c_(c), n_(n) {
+    area_ = Length(TriangleCross(a, b, c)) / 2;
+    size_ = Length(b - a) + Length(c - a);
+  }
+
+  SurfaceSample Sample(Vec3 from, Vec2 u) const override {
+    if (IsInPlane(from, a_, n_, size_)) return {};
+    const SphericalTriangle seen = SeenFrom(from);
+    if (!IsLarge(seen)) {
+      const Vec2 weights = SampleTriangle(u);
+      return SampleByArea(from, TrianglePoint(a_, b_, c_, weights.x, weights.y), n_, area_);
+    }
+    // Where the direction meets the plane.
+    const Vec3d w = seen.Sample(u), n = ToDouble(n_);
+    const double t = Dot(n, ToDouble(a_) - ToDouble(from)) / Dot(n, w);
+    SurfaceSample sample = SampleByArea(from, ToFloat(ToDouble(from) + w * t), n_, area_);
+    if (sample.pdf > 0) sample.pdf = static_cast<float>(seen.Pdf());
+    return sample;
+  }
+
+  float Pdf(Vec3 from, Vec3 p, Vec3) const override {
+    if (IsInPlane(from, a_, n_, size_)) return 0;
+    const SphericalTriangle seen = SeenFrom(from);
+    return IsLarge(seen) ? static_cast<float>(seen.Pdf()) : PdfByArea(from, p, n_, area_);
+  }
+
+  double Area() const override { return area_; }
+  uint64_t MemoryBytes() const override { return sizeof *this; }
+
+ private:
+  SphericalTriangle SeenFrom(Vec3 from) const {
+    const Vec3d origin = ToDouble(from);
+    return {ToDouble(a_) - origin, ToDouble(b_) - origin, ToDouble(c_) - origin};
+  }
+  static bool IsLarge(const SphericalTriangle& seen) { return seen.SolidAngle() > 1e-6; }
+
+  Vec3 a_, b_, c_, n_;
+  double area_;
+  float size_;
+};
+
+}  // namespace
+
+std::unique_ptr<const SurfaceSampler> Triangle::MakeSampler(
+    const Transform& world_from_object, const Transform& object_from_world) const {
+  return std::make_unique<TriangleSampler>(
+      world_from_object.Point(corners_[0]), world_from_object.Point(corners_[1]),
+      world_from_object.Point(corners_[2]),
+      NormalizeAnyLength(object_from_world.TransposedVector(normal_)));
+}
+
+}  // namespace candela

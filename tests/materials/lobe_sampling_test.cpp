@@ -1,0 +1,140 @@
+// Sampling of all lobes at many angles and roughnesses; the contract tests have one of each.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "materials/conductor.h"
+#include "materials/dielectric.h"
+#include "materials/diffuse.h"
+#include "materials/phong.h"
+#include "materials/plastic.h"
+#include "tests/materials/scatter.h"
+
+namespace candela {
+namespace {
+
+using test::BsdfOf;
+using test::DirectionAt;
+using test::ExpectSamplesToFollowTheDensity;
+using test::ExpectWeightsToAgree;
+using test::kIncidences;
+using test::UniformNumbers;
+
+const Vec3 kNormal = Normalize(Vec3{-2, 1, 2});
+
+/// A family of materials over a roughness from 0 to 1.
+struct Family {
+  const char* name;
+  std::function<std::unique_ptr<Material>(float roughness)> create;
+  bool is_outside = true;
+};
+
+std::vector<Family> Families() {
+  const auto gold = [](Ggx surface, float rotation) {
+    return std::make_unique<ConductorMaterial>(Rgb{0.14f, 0.37f, 1.44f}, Rgb{3.98f, 2.39f, 1.6f},
+                                               surface, rotation);
+  };
+  const auto glass = [](float r) {
+    return std::make_unique<DielectricMaterial>(1.5f, r * r, Rgb());
+  };
+  return {
+      {"Diffuse",
+       [](float r) {
+         return std::make_unique<DiffuseMaterial>(Rgb{0.8f, 0.5f, 0.2f}, r);
+       }},
+      {"NormalisedPhong",
+       [](float r) {
+         const PhongTerms terms{{}, {0.3f, 0.2f, 0.1f}, {0.6f, 0.6f, 0.6f}, 2 / (r * r)};
+         return std::make_unique<PhongMaterial>(terms, true);
+       }},
+      {"Conductor",
+       [gold](float r) {
+         return gold({r * r, r * r}, 0);
+       }},
+      {"BrushedConductor",
+       [gold](float r) {
+         return gold({r * r, 0.3f * r * r + 0.1f}, 25);
+       }},
+      {"GlassFromOutside", glass},
+      {"GlassFromInside", glass, false},
+      {"Plastic",
+       [](float r) {
+         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, r * r);
+       }},
+      {"PolishedPlastic",
+       [](float) {
+         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, 0.0f);
+       }},
+  };
+}
+
+constexpr float kRoughness[] = {0.3f, 0.5f, 0.75f, 1};
+
+void PrintTo(const Family& family, std::ostream* out) {
+  *out << family.name;
+}
+
+class EveryLobe : public testing::TestWithParam<Family> {};
+
+INSTANTIATE_TEST_SUITE_P(Materials, EveryLobe, testing::ValuesIn(Families()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+template <class Check>
+void ForEachCase(const Family& family, const Check& check) {
+  for (const float roughness : kRoughness) {
+    const auto material = family.create(roughness);
+    const Bsdf bsdf = BsdfOf(*material, kNormal, family.is_outside);
+    for (const double degrees : kIncidences) {
+      SCOPED_TRACE(testing::Message() << "roughness " << roughness << " at " << degrees);
+      check(bsdf, DirectionAt(bsdf.frame, degrees));
+    }
+  }
+}
+
+TEST_P(EveryLobe, SamplesFollowTheDensity) {
+  UniformNumbers random(23);
+  ForEachCase(GetParam(), [&](const Bsdf& bsdf, Vec3 wo) {
+    ExpectSamplesToFollowTheDensity(bsdf, wo, 200000, &random);
+  });
+}
+
+TEST_P(EveryLobe, WeightIsValueTimesCosineOverDensity) {
+  UniformNumbers random(29);
+  ForEachCase(GetParam(),
+              [&](const Bsdf& bsdf, Vec3 wo) { ExpectWeightsToAgree(bsdf, wo, 2000, &random); });
+}
+
+// Light that goes back takes the same way; through a boundary, by n^2: what the other side sees of
+// it is as much brighter as its index is larger.
+TEST_P(EveryLobe, IsReciprocal) {
+  UniformNumbers random(31);
+  for (const float roughness : kRoughness) {
+    const auto material = GetParam().create(roughness);
+    const Bsdf here = BsdfOf(*material, kNormal, GetParam().is_outside);
+    const Bsdf beyond = BsdfOf(*material, kNormal, !GetParam().is_outside);
+    for (const double degrees : kIncidences) {
+      const Vec3 wo = DirectionAt(here.frame, degrees);
+      for (int i = 0; i < 1000; ++i) {
+        const BsdfSample sample = Sample(here, wo, random.NextPair());
+        if (sample.pdf == 0 || sample.is_delta) continue;
+        const Spectrum there = Eval(here, wo, sample.wi) * (sample.eta * sample.eta);
+        const Spectrum back = Eval(sample.is_transmission ? beyond : here, sample.wi, wo);
+        // A refracting facet is found by a difference, which has fewer digits.
+        const float tolerance = sample.is_transmission ? 2e-4f : 1e-5f;
+        for (int c = 0; c < 3; ++c) {
+          ASSERT_NEAR(there[c], back[c], tolerance * there[c] + 1e-7f)
+              << "roughness " << roughness << " at " << degrees
+              << (sample.is_transmission ? " through" : "");
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace candela

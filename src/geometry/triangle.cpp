@@ -33,4 +33,19 @@ bool ExactBarycentrics(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHi
   return true;
 }
 
+void KeepInBox(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c, TriangleHit* hit) {
+  double entry = hit->t;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double origin = ray.origin[axis], direction = ray.direction[axis];
+    if (direction == 0) continue;
+    const float near = direction > 0 ? std::min({a[axis], b[axis], c[axis]})
+                                     : std::max({a[axis], b[axis], c[axis]});
+    const double t = (near - origin) / direction;
+    // The rounding of a distance makes no difference to a search.
+    const double rounding = (std::abs(origin) + std::abs(double{near})) * 1.2e-7;
+    if (hit->t < t - rounding / std::abs(direction)) entry = std::max(entry, t);
+  }
+  hit->t = static_cast<float>(entry);
+}
+
 }  // namespace candela

@@ -23,6 +23,7 @@ struct PacketRays {
   uint32_t near_row[3];
   int kx, ky, kz;
   float nearest_t_min;
+  float farthest;  ///< The largest coordinate of origins and of the group, by magnitude.
   Frustum frustum;
   alignas(64) float near_scale[3][kRays], near_offset[3][kRays];
   alignas(64) float far_scale[3][kRays], far_offset[3][kRays];
@@ -42,9 +43,13 @@ struct PacketRays {
       t_min[i] = search.t_min;
     }
     if (!FollowOneAxis(direction)) return false;
-    P farthest = P::Broadcast(largest);
-    for (int axis = 0; axis < 3; ++axis) farthest = Max(farthest, Abs(P::Load(origin[axis])));
-    uint32_t usual = (farthest <= P::Broadcast(SpaceRay::kUsualCoordinate)).Bits();
+    P reach = P::Broadcast(largest);
+    for (int axis = 0; axis < 3; ++axis) reach = Max(reach, Abs(P::Load(origin[axis])));
+    alignas(64) float reaches[kRays];
+    reach.Store(reaches);
+    farthest = Greatest(reaches);
+    if (!(farthest <= SpaceRay::kUsualCoordinate)) return false;
+    uint32_t usual = kAllRays;
     for (int axis = 0; axis < 3; ++axis) usual &= SetAxis(axis, direction[axis]);
     if (usual != kAllRays) return false;
 

@@ -34,18 +34,19 @@ template <class L>
 struct SpaceRay {
   Slabs slabs;
   ShearedRay sheared;
+  float farthest;  ///< The largest coordinate of the origin and of the group, by magnitude.
 
   /// `t_min` is not -0. `largest` is the largest coordinate of the group's bounds, by magnitude.
   template <class L>
   [[gnu::always_inline]] void Set(Vec3 origin, Vec3 direction, float t_min, float largest) {
     sheared.Set(origin, direction);
     slabs.t_min = t_min;
-    const float farthest = std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
-                                    std::max(std::abs(origin.z), largest));
+    farthest = std::max(std::max(std::abs(origin.x), std::abs(origin.y)),
+                        std::max(std::abs(origin.z), largest));
     const bool is_usual = farthest <= kUsualCoordinate;
-    SetAxis<L>(0, origin.x, direction.x, is_usual, farthest);
-    SetAxis<L>(1, origin.y, direction.y, is_usual, farthest);
-    SetAxis<L>(2, origin.z, direction.z, is_usual, farthest);
+    SetAxis<L>(0, origin.x, direction.x, is_usual);
+    SetAxis<L>(1, origin.y, direction.y, is_usual);
+    SetAxis<L>(2, origin.z, direction.z, is_usual);
   }
 
   /// Reciprocals of direction components beyond this are replaced, so that no product overflows.
@@ -59,8 +60,7 @@ struct SpaceRay {
 
  private:
   template <class L>
-  [[gnu::always_inline]] void SetAxis(int axis, float origin, float direction, bool is_usual,
-                                      float farthest) {
+  [[gnu::always_inline]] void SetAxis(int axis, float origin, float direction, bool is_usual) {
     float slope = 1 / direction;
     float least_slack = kLeastSlack;
     if (!(is_usual && std::abs(slope) <= kUsualSlope)) [[unlikely]] {

@@ -215,7 +215,7 @@ class PacketSearch {
         Search<L>& search = search_[i];
         TriangleHit hit;
         if (!FinishTriangle(Sheared(i), corner_a, corner_b, corner_c,
-                            {areas[0][i], areas[1][i], areas[2][i]}, &hit) ||
+                            {areas[0][i], areas[1][i], areas[2][i]}, rays_.farthest, &hit) ||
             !search.Counts(entry_[i], &hit.t) ||
             !search.Offer(hit.t, hit.u, hit.v, leaf.item,
                           &search.group->triangle_ids[leaf.first + static_cast<uint32_t>(lane)])) {

@@ -57,10 +57,10 @@ template <class L, bool kAny, bool kChecked>
     const int lane = std::countr_zero(bits);
     bits &= bits - 1;
     TriangleHit hit;
-    const bool is_hit = FinishTriangle(ray, LeafVertex(vertex, leaf.Corner(0, lane)),
-                                       LeafVertex(vertex, leaf.Corner(1, lane)),
-                                       LeafVertex(vertex, leaf.Corner(2, lane)),
-                                       {areas[0][lane], areas[1][lane], areas[2][lane]}, &hit);
+    const bool is_hit = FinishTriangle(
+        ray, LeafVertex(vertex, leaf.Corner(0, lane)), LeafVertex(vertex, leaf.Corner(1, lane)),
+        LeafVertex(vertex, leaf.Corner(2, lane)), {areas[0][lane], areas[1][lane], areas[2][lane]},
+        search->space.farthest, &hit);
     if (!is_hit || !search->Counts(entry, &hit.t)) continue;
     const uint32_t* primitive = &search->group->triangle_ids[leaf.first + lane];
     if constexpr (kChecked) {

@@ -39,7 +39,8 @@ struct ConductorParams {
   Ggx surface;
   float cos_rotation, sin_rotation;  ///< Of the direction of `alpha_x` in the frame.
   const EnergyTable* energy;         ///< Of what a white metal reflects after one bounce.
-  float table_row;
+  float table_row;                   ///< Of one that is not brushed.
+  bool is_brushed;                   ///< The rows of the table are azimuths.
 };
 
 struct DielectricParams {

@@ -39,6 +39,9 @@ class Material {
   /// part exp(-absorption * length) is left.
   virtual Rgb Absorption() const { return {}; }
 
+  /// Whether the points that it is asked about need texture coordinates.
+  virtual bool NeedsTextureCoordinates() const { return false; }
+
   /// False when `Evaluate` cannot say all that the material does.
   virtual bool IsPhysical() const = 0;
 };

@@ -27,13 +27,14 @@ std::span<const MaterialEntry> MaterialEntries() {
   return kMaterials;
 }
 
-std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, Diagnostics* diagnostics) {
-  const MaterialEntry* entry = FindEntry<MaterialEntry>(kMaterials, spec, "material", diagnostics);
+std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, const MaterialContext& context) {
+  const MaterialEntry* entry =
+      FindEntry<MaterialEntry>(kMaterials, spec, "material", context.diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics);
   // The loader has taken these; a parameter that was meant as one of them is told so.
   for (const std::string_view name : {"type", "name"}) params.Has(name);
-  auto material = entry->create(&params);
+  auto material = entry->create(&params, context);
   params.Finish();
   return material;
 }

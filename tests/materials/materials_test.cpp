@@ -31,7 +31,9 @@ std::unique_ptr<Material> Create(const std::string& type, const std::string& tex
       spec.params.params.back().words.push_back({word, {}});
     }
   }
-  return CreateMaterial(spec, diagnostics);
+  MaterialContext context;
+  context.diagnostics = diagnostics;
+  return CreateMaterial(spec, context);
 }
 
 PhongTerms TermsOf(const std::string& text) {
@@ -73,7 +75,7 @@ TEST(Phong, IsPhysicalWithoutHighlightAndWithAnAlbedo) {
 }
 
 TEST(Diffuse, IsForWhittedTheSamePhongSurface) {
-  const PhongTerms terms = DiffuseMaterial({0.5f, 0.25f, 1}).Phong({});
+  const PhongTerms terms = DiffuseMaterial(Rgb{0.5f, 0.25f, 1}).Phong({});
   EXPECT_EQ(terms.diffuse, (Rgb{0.5f, 0.25f, 1}));
   EXPECT_EQ(terms.ambient, (Rgb{0.5f, 0.25f, 1}));
   EXPECT_EQ(terms.specular, (Rgb{0, 0, 0}));
@@ -136,7 +138,7 @@ TEST(Dielectric, CarriesRadianceIntoGlass) {
   Bsdf bsdf;
   SurfacePoint point;
   point.n_shading = {0, 0, 1};
-  DielectricMaterial(1.5f, 0, {}).Evaluate(point, &bsdf);
+  DielectricMaterial(1.5f, Roughness(), {}).Evaluate(point, &bsdf);
   const BsdfSample sample = Sample(bsdf, {0, 0, 1}, {0.5f, 0.5f});
   EXPECT_TRUE(sample.is_delta);
   EXPECT_TRUE(sample.is_transmission);
@@ -185,7 +187,7 @@ TEST(Bsdf, OfAnEmptyListIsBlack) {
 // rho / pi in all directions of the upper side; nothing below.
 TEST(Bsdf, LambertIsTheAlbedoOverPi) {
   Bsdf bsdf;
-  DiffuseMaterial({0.5f, 0.25f, 1}).Evaluate({}, &bsdf);
+  DiffuseMaterial(Rgb{0.5f, 0.25f, 1}).Evaluate({}, &bsdf);
   const Rgb value = Eval(bsdf, {0, 0, 1}, {0.6f, 0, 0.8f}).ToRgb();
   EXPECT_FLOAT_EQ(value.x, static_cast<float>(0.5 / kPi));
   EXPECT_FLOAT_EQ(value.y, static_cast<float>(0.25 / kPi));

@@ -22,6 +22,7 @@ class PhongMaterial final : public Material {
   bool NeedsTextureCoordinates() const override {
     return diffuse_.NeedsTextureCoordinates() || specular_.NeedsTextureCoordinates();
   }
+  int MostLobes() const override { return 2; }
   /// Light transport refuses highlights that are not normalised, since they do not conserve energy,
   /// and what would be no albedo.
   bool IsPhysical() const override;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -27,10 +28,13 @@ class SceneCompiler {
       : spec_(spec),
         diagnostics_(*diagnostics),
         scene_(new Scene(spec.camera)),
-        material_context_{
-            {diagnostics, spec.folder, [this](std::string_view name, const SourceLocation& where) {
-               return TextureNamed(name, where);
-             }}} {}
+        material_context_{{diagnostics, spec.folder,
+                           [this](std::string_view name, const SourceLocation& where) {
+                             return TextureNamed(name, where);
+                           }},
+                          [this](std::string_view name, const SourceLocation& where) {
+                            return PartNamed(name, where);
+                          }} {}
 
   std::unique_ptr<Scene> Compile() {
     CompileBackground();
@@ -96,11 +100,9 @@ class SceneCompiler {
 
   void CompileMaterials() {
     for (const MaterialSpec& material : spec_.materials) {
-      if (!material.name.empty()) {
-        const auto index = static_cast<uint32_t>(scene_->materials_.size());
-        material_by_name_.try_emplace(material.name, index);
-      }
+      const auto index = static_cast<uint32_t>(scene_->materials_.size());
       scene_->materials_.push_back(CreateMaterial(material.material, material_context_));
+      if (!material.name.empty()) material_by_name_.try_emplace(material.name, index);
     }
   }
 
@@ -199,6 +201,24 @@ class SceneCompiler {
                          DidYouMean(reference.name, names));
     });
     return std::nullopt;
+  }
+
+  /// A material for another one that is made of it; null when it is missing or wrong, which is
+  /// reported.
+  const Material* PartNamed(std::string_view name, const SourceLocation& where) {
+    const bool is_below = !material_by_name_.contains(name) &&
+                          std::any_of(spec_.materials.begin(), spec_.materials.end(),
+                                      [&](const MaterialSpec& each) { return each.name == name; });
+    if (is_below) {
+      diagnostics_.Error(
+          where, fmt::format("a material is made of those above it, unlike {}", Quote(name)));
+      return nullptr;
+    }
+    MaterialReference reference;
+    reference.name = name;
+    reference.where = where;
+    const auto index = MaterialNamed(reference);
+    return index ? scene_->materials_[*index].get() : nullptr;
   }
 
   template <class MakeText>

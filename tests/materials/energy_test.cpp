@@ -129,6 +129,20 @@ TEST(RoughMetal, OneBounceGivesBackTheAlbedoOfGgx) {
   }
 }
 
+// Rows for all roughnesses stand between those of each.
+TEST(RoughMetal, TableOfAllRoughnessesAgreesWithThoseOfEach) {
+  const EnergyTable all = EnergyTable::OfAllRoughness(MirrorFacet);
+  for (const float roughness : {0.25f, 0.37f, 0.5f, 0.77f, 0.9f, 1.0f}) {
+    const float alpha = roughness * roughness;
+    const EnergyTable one = EnergyTable::OfRoughness(alpha, MirrorFacet);
+    const float row = EnergyTable::RowOfRoughness(alpha);
+    EXPECT_NEAR(all.Mean(row), one.Mean(0), 1e-3) << roughness;
+    for (const float cosine : {0.01f, 0.1f, 0.3f, 0.7f, 1.0f}) {
+      EXPECT_NEAR(all.At(cosine, row), one.At(cosine, 0), 3e-3) << roughness << " at " << cosine;
+    }
+  }
+}
+
 // (n + 2) / 2 pi is the factor with which the lobe head-on gives back its weight, for any n.
 TEST(NormalisedPhong, HeadOnItReflectsItsSpecularColour) {
   UniformNumbers random(5);

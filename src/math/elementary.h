@@ -24,6 +24,12 @@ float Sin(float x);
 float Cos(float x);
 float Tan(float x);
 
+/// Both of an angle in radians at the price of one, to about 1e-12 of their value.
+struct SineAndCosine {
+  double sin, cos;
+};
+SineAndCosine SinCos(float x);
+
 /// The same of an angle in degrees, of any size; exact at multiples of 90 (where a zero is +0 and
 /// the tangent +-infinity), at 30, 45, 60 where the result is 1/2 or 1, and so on around the
 /// circle.

@@ -86,15 +86,16 @@ SinCosPair SinCosOf(const ReducedAngle& angle) {
   }
 }
 
-struct FastSinCos {
-  double sin, cos;
-};
-
 /// Both functions in double precision, to about 1e-12 of their value; for float results.
-FastSinCos FastSinCosOf(float angle) {
+SineAndCosine FastSinCosOf(float angle) {
   if (!std::isfinite(angle)) return {kNaN, kNaN};
-  const ReducedAngle reduced = Reduce(angle);
-  const double x = reduced.rest.hi;
+  double turned = angle;
+  if (std::abs(turned) > 1e6) turned = std::fmod(turned, 2 * kPi);
+  const double turns = turned * (2 / kPi);
+  const auto n = static_cast<int>(turns < 0 ? turns - 0.5 : turns + 0.5);
+  // The first difference is exact. No float is so near to a multiple of pi / 2 that the others lose
+  // digits that a float would have.
+  const double x = ((turned - n * kHalfPi1) - n * kHalfPi2) - n * kHalfPi3;
   const double x2 = x * x;
   const double s =
       x + x * x2 *
@@ -106,7 +107,7 @@ FastSinCos FastSinCosOf(float angle) {
       1 - x2 * (0.5 - x2 * (1.0 / 24 -
                             x2 * (1.0 / 720 - x2 * (1.0 / 40320 - x2 * (1.0 / 3628800 -
                                                                         x2 * (1.0 / 479001600))))));
-  switch (reduced.quarter_turns) {
+  switch (static_cast<unsigned>(n) & 3) {
     case 0:
       return {s, c};
     case 1:
@@ -163,6 +164,10 @@ double TanDegrees(double degrees) {
   return WithoutNegativeZero((pair.sin / pair.cos).Rounded());
 }
 
+SineAndCosine SinCos(float x) {
+  return FastSinCosOf(x);
+}
+
 float Sin(float x) {
   if (std::abs(x) < kTiny) return x;
   return static_cast<float>(FastSinCosOf(x).sin);
@@ -174,7 +179,7 @@ float Cos(float x) {
 
 float Tan(float x) {
   if (std::abs(x) < kTiny) return x;
-  const FastSinCos pair = FastSinCosOf(x);
+  const SineAndCosine pair = FastSinCosOf(x);
   return static_cast<float>(pair.sin / pair.cos);
 }
 

@@ -8,16 +8,33 @@
 namespace candela {
 namespace {
 
-/// The solid angle of the rectangle from (0, 0) to (x, y) in the plane at distance z, with the sign
-/// of x y.
-double CornerAngle(double x, double y, double z) {
-  return Atan2(x * y, z * std::sqrt(x * x + y * y + z * z));
+/// A complex number: its argument stands for an angle, so that sums of angles are products.
+struct Turn {
+  double re, im;
+
+  friend Turn operator*(Turn a, Turn b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  Turn Back() const { return {re, -im}; }
+};
+
+/// Of the solid angle of the rectangle from (0, 0) to (x, y) in the plane at distance z, which is
+/// atan(x y / (z r)) with the sign of x y.
+Turn CornerTurn(double x, double y, double z) {
+  const double r = std::sqrt(x * x + y * y + z * z);
+  return {z * r, x * y};
 }
 
 double AngleOf(double x0, double x1, double y0, double y1, double z) {
-  const double angle = CornerAngle(x1, y1, z) - CornerAngle(x0, y1, z) - CornerAngle(x1, y0, z) +
-                       CornerAngle(x0, y0, z);
-  return std::max(angle, 0.0);
+  const Turn sum = (CornerTurn(x1, y1, z) * CornerTurn(x0, y0, z)) *
+                   (CornerTurn(x0, y1, z) * CornerTurn(x1, y0, z)).Back();
+  // Both are brought into the range of floats, in which the angle is asked for.
+  const double largest = std::max(std::abs(sum.re), std::abs(sum.im));
+  if (!(largest > 0)) return 0;
+  const float angle =
+      Atan2(static_cast<float>(sum.im / largest), static_cast<float>(sum.re / largest));
+  // From 0 to a full turn; just below 0 it is 0, by rounding.
+  return angle >= 0 ? angle : angle < -1e-3f ? angle + 2 * kPi : 0;
 }
 
 }  // namespace
@@ -40,12 +57,14 @@ Vec2 SphericalRectangle::Sample(Vec2 u) const {
   // The inner angles at the corners of x = x0; their sum less pi is what the part to the left of a
   // line x = const lacks.
   const double a0 = -x0_ / std::sqrt(x0_ * x0_ + z_ * z_);
-  const double g2 = Acos(std::clamp(-a0 * b1, -1.0, 1.0));
-  const double g3 = Acos(std::clamp(-a0 * b0, -1.0, 1.0));
-  const double k = 2 * kPi - g2 - g3;
+  const auto turn_of_cosine = [](double cosine) {
+    return Turn{cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine))};
+  };
+  const Turn less = turn_of_cosine(-a0 * b1) * turn_of_cosine(-a0 * b0);
   // The first number is the part of the solid angle left of the line.
-  const double angle = double{u.x} * solid_angle_ + k;
-  const double f = (Cos(angle) * b0 - b1) / Sin(angle);
+  const SineAndCosine part = SinCos(static_cast<float>(double{u.x} * solid_angle_));
+  const Turn angle = Turn{part.cos, part.sin} * less.Back();
+  const double f = (angle.re * b0 - b1) / angle.im;
   const double c = std::clamp(std::copysign(1 / std::sqrt(f * f + b0 * b0), f), -1.0, 1.0);
   double x = -(c * z_) / std::sqrt(std::max(1 - c * c, 1e-300));
   x = std::clamp(x, x0_, x1_);

@@ -6,7 +6,7 @@ namespace candela {
 
 /// The directions in which a rectangle is seen from a point, drawn with equal density: Urena,
 /// Fajardo and King, "An Area-Preserving Parametrization for Spherical Rectangles", 2013. In
-/// double, which stands seen sizes down to about 1e-7 steradian; smaller ones are sampled by area.
+/// double, which stands seen sizes down to about 1e-6 steradian; smaller ones are sampled by area.
 class SphericalRectangle {
  public:
   /// One corner as seen from the origin, and the sides from there, which are orthogonal.

@@ -11,8 +11,8 @@ namespace {
 /// Van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983; for unit vectors.
 double SolidAngleOf(Vec3d a, Vec3d b, Vec3d c) {
   const double volume = std::abs(Dot(a, Cross(b, c)));
-  const double angle = 2 * Atan2(volume, 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
-  return std::max(angle, 0.0);
+  const double rest = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
+  return 2 * double{Atan2(static_cast<float>(volume), static_cast<float>(rest))};
 }
 
 /// The unit vector orthogonal to the unit vector `axis` in its plane with `w`.
@@ -37,9 +37,8 @@ Vec3d SphericalTriangle::Sample(Vec2 u) const {
   const Vec3d n_ab = Normalize(Cross(a_, b_)), n_ca = Normalize(Cross(c_, a_));
   const double cos_alpha = std::clamp(-Dot(n_ab, n_ca), -1.0, 1.0);
   const double sin_alpha = Root(1 - cos_alpha * cos_alpha);
-  const double part = double{u.x} * solid_angle_;
+  const auto [sin_part, cos_part] = SinCos(static_cast<float>(double{u.x} * solid_angle_));
   // phi is pi + part - alpha.
-  const double sin_part = Sin(part), cos_part = Cos(part);
   const double sin_phi = cos_part * sin_alpha - sin_part * cos_alpha;
   const double cos_phi = -cos_part * cos_alpha - sin_part * sin_alpha;
   const double k1 = cos_phi + cos_alpha;

@@ -6,7 +6,7 @@ namespace candela {
 
 /// The directions in which a triangle is seen from a point, drawn with equal density: Arvo,
 /// "Stratified Sampling of Spherical Triangles", 1995. In double, which stands seen sizes down to
-/// about 1e-7 steradian; smaller ones are sampled by area.
+/// about 1e-6 steradian; smaller ones are sampled by area.
 class SphericalTriangle {
  public:
   /// The corners, seen from the origin; none lies in it.

@@ -10,8 +10,8 @@ constexpr auto kQuarterPi = static_cast<float>(kPi / 4);
 constexpr auto kTwoPi = static_cast<float>(2 * kPi);
 
 Vec3 FromHeightAndTurn(float z, float radius, float turn) {
-  const float phi = kTwoPi * turn;
-  return {radius * Cos(phi), radius * Sin(phi), z};
+  const auto [sine, cosine] = SinCos(kTwoPi * turn);
+  return {radius * static_cast<float>(cosine), radius * static_cast<float>(sine), z};
 }
 
 /// The azimuth as a part of a full turn, in [0, 1).
@@ -29,11 +29,11 @@ Vec2 SampleDisk(Vec2 u) {
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
   // other coordinate runs along the arc.
   if (std::abs(x) > std::abs(y)) {
-    const float phi = kQuarterPi * (y / x);
-    return {x * Cos(phi), x * Sin(phi)};
+    const auto [sine, cosine] = SinCos(kQuarterPi * (y / x));
+    return {x * static_cast<float>(cosine), x * static_cast<float>(sine)};
   }
-  const float phi = kQuarterPi * (x / y);
-  return {y * Sin(phi), y * Cos(phi)};
+  const auto [sine, cosine] = SinCos(kQuarterPi * (x / y));
+  return {y * static_cast<float>(sine), y * static_cast<float>(cosine)};
 }
 
 Vec2 InvertDisk(Vec2 p) {

@@ -24,10 +24,9 @@ inline Vec2 LatLongOf(Vec3 direction) {
 
 /// The unit direction of a place.
 inline Vec3 DirectionOfLatLong(Vec2 place) {
-  const float longitude = (place.x - 0.5f) * static_cast<float>(2 * kPi);
-  const float colatitude = place.y * static_cast<float>(kPi);
-  const float sine = Sin(colatitude);
-  return {Sin(longitude) * sine, Cos(colatitude), -Cos(longitude) * sine};
+  const auto [sin_x, cos_x] = SinCos((place.x - 0.5f) * static_cast<float>(2 * kPi));
+  const auto [sin_y, cos_y] = SinCos(place.y * static_cast<float>(kPi));
+  return ToFloat({sin_x * sin_y, cos_y, -cos_x * sin_y});
 }
 
 /// A place moved to the right by a part of a turn, back into [0, 1).

@@ -32,7 +32,8 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const Vec3 way_back = object.object_from_world.PointError(world.p, {});
   world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
   world.n_geometric = NormalToWorld(hit.object, local.n_geometric);
-  world.n_shading = NormalToWorld(hit.object, local.n_shading);
+  const bool is_same = local.n_shading == local.n_geometric;
+  world.n_shading = is_same ? world.n_geometric : NormalToWorld(hit.object, local.n_shading);
   if (object.is_textured) {
     world.dpdu = object.world_from_object.Vector(local.dpdu);
     world.dpdv = object.world_from_object.Vector(local.dpdv);

@@ -45,6 +45,7 @@ class DiskSampler final : public SurfaceSampler {
   }
 
   double Area() const override { return area_; }
+  Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:

@@ -34,6 +34,9 @@ class SurfaceSampler {
   /// Of one side.
   virtual double Area() const = 0;
 
+  /// The unit normal of a surface that lies in a plane; 0 for others.
+  virtual Vec3 FlatNormal() const { return {}; }
+
   virtual uint64_t MemoryBytes() const = 0;
 };
 

@@ -41,6 +41,7 @@ class TriangleSampler final : public SurfaceSampler {
   }
 
   double Area() const override { return area_; }
+  Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:

@@ -14,6 +14,11 @@ struct SurfacePoint {
                      ///< way back to object space.
   Vec3 n_geometric;  ///< Unit normal of the true surface, on the side its definition says.
   Vec3 n_shading;    ///< Unit normal for shading; never flipped towards the viewer.
+
+  // The rest is there only where the material asks for texture coordinates.
+  Vec2 uv{};
+  Vec3 dpdu{}, dpdv{};  ///< How `p` moves with them; 0 where they say nothing.
+  float footprint = 0;  ///< The width of what the ray stands for at the hit; 0 when unknown.
 };
 
 }  // namespace candela

@@ -278,8 +278,8 @@ void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex
                                  Batch* batch) const {
   const auto& [point, wo, bsdf, material] = vertex;
   const uint32_t dimension = BounceDimension(bounce);
-  const auto [index, choice] =
-      picker_.Choose(point.p, path.sampler.Get1D(dimension + kLightChoice));
+  const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
+  const auto [index, choice] = picker_.Choose(point.p, u);
   const Light& light = *lights_[index];
   const LightSample sample =
       light.SampleIncident(point.p, path.sampler.Get2D(dimension + kLightPoint));

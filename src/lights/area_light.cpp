@@ -50,7 +50,14 @@ LightReach AreaLight::Reach() const {
   const double sides = is_two_sided_ ? 2 : 1;
   const double flux = kPi * sampler_->Area() * sides * double{MeanOf(radiance_.ToRgb())};
   // The largest lamps keep an order among each other.
-  return {static_cast<float>(std::min(flux, 1e30)), false, center_, radius_};
+  LightReach reach{static_cast<float>(std::min(flux, 1e30)), false, center_, radius_};
+  reach.axis = sampler_->FlatNormal();
+  if (reach.axis == Vec3()) return reach;
+  reach.is_flat = true;
+  // Along its normal a flat lamp gives so much more than one that shines all around alike.
+  reach.power *= is_two_sided_ ? 2 : 4;
+  if (!is_two_sided_) reach.least_cosine = 0;
+  return reach;
 }
 
 }  // namespace candela

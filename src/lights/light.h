@@ -39,6 +39,12 @@ struct LightReach {
   bool is_far = false;
   Vec3 center;  ///< Of a ball around it, unless it is far.
   float radius = 0;
+
+  /// Unless it is 0, the light goes around this unit direction only: to where the cosine of the
+  /// angle to it is at least `least_cosine`.
+  Vec3 axis{};
+  float least_cosine = -1;
+  bool is_flat = false;  ///< It fades with the cosine to the axis, on both sides of its plane.
 };
 
 /// A source of light. Immutable once its scene is compiled; called concurrently.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/check.h"
 #include "math/elementary.h"
@@ -39,10 +40,21 @@ LightPicker::LightPicker(std::span<const Light* const> lights, float size, Light
 
 float LightPicker::Effect(const LightReach& reach, Vec3 p) {
   if (reach.is_far) return reach.power;
+  const Vec3 way = p - reach.center;
+  const float squared = LengthSquared(way);
+  float toward = 1;
+  if (reach.axis != Vec3()) {
+    const float distance = std::sqrt(squared);
+    const float along = Dot(way, reach.axis);
+    // Some of the ball may be nearer to the axis than its centre.
+    if (along + reach.radius < reach.least_cosine * distance) return 0;
+    if (reach.is_flat) toward = (std::abs(along) + reach.radius) / (distance + reach.radius);
+  }
   // From within, or nearly, it does not grow any more.
-  const float squared = std::max(LengthSquared(p - reach.center), reach.radius * reach.radius);
+  const float limited = std::max(squared, reach.radius * reach.radius);
   constexpr auto kInverseSphere = static_cast<float>(1 / (4 * kPi));
-  return std::min(reach.power * kInverseSphere / std::max(squared, 1e-30f), 1e30f);
+  const float effect = reach.power * toward * kInverseSphere / std::max(limited, 1e-30f);
+  return std::min(effect, 1e30f);
 }
 
 float LightPicker::Effects(Vec3 p, std::span<float> effects) const {

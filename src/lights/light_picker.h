@@ -25,6 +25,8 @@ class LightPicker {
   /// of the scene counts as much as one infinitely far of the same irradiance.
   LightPicker(std::span<const Light* const> lights, float size, LightChoice choice);
 
+  /// False when there is no choice, so that no number is needed.
+  bool NeedsNumber() const { return candidates_.size() > 1; }
   /// False when there is nothing to choose from.
   bool HasLights() const { return !candidates_.empty(); }
 

@@ -49,9 +49,12 @@ LightSample SpotLight::SampleIncident(Vec3 p) const {
 }
 
 LightReach SpotLight::Reach() const {
-  // As if it shone all around: whoever is in its beam sees no less.
+  // Its power is that of a light all around: whoever is in its beam sees no less.
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  return {std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
+  LightReach reach{std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
+  reach.axis = direction_;
+  reach.least_cosine = cosine_outer_;
+  return reach;
 }
 
 }  // namespace candela

@@ -23,7 +23,7 @@ void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
   for (int i = 0; i < bsdf.count; ++i) {
     if (i == drawn) continue;
     pdf += bsdf.lobes[i].pick * LobePdf(bsdf.lobes[i], wo, sample->wi);
-    value += EvalLobe(bsdf.lobes[i], wo, sample->wi) * cosine;
+    value += EvalLobe(bsdf.lobes[i], wo, sample->wi) * (bsdf.lobes[i].share * cosine);
   }
   sample->pdf = pdf / bsdf.pick_sum;
   sample->weight = value * (1 / sample->pdf);
@@ -34,7 +34,9 @@ void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
 Spectrum Eval(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
   const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
   Spectrum sum;
-  for (int lobe = 0; lobe < bsdf.count; ++lobe) sum += EvalLobe(bsdf.lobes[lobe], o, i);
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
+    sum += EvalLobe(bsdf.lobes[lobe], o, i) * bsdf.lobes[lobe].share;
+  }
   return sum;
 }
 
@@ -45,6 +47,7 @@ BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
   if (!(bsdf.lobes[drawn].pick > 0)) return {};  // By rounding only.
   LobeSample sample = SampleLobe(bsdf.lobes[drawn], o, u);
   if (sample.pdf == 0) return {};
+  sample.weight *= Spectrum(bsdf.lobes[drawn].share);
   if (sample.is_delta) {
     const float choice = bsdf.lobes[drawn].pick / bsdf.pick_sum;
     sample.pdf *= choice;

@@ -26,6 +26,18 @@ struct Bsdf {
     pick_sum += lobe.pick;
   }
 
+  /// Makes those from `first` on a part of a mixture: they do `mixed_share` of what they did, and
+  /// are drawn as often.
+  void Mix(int first, float mixed_share) {
+    float picks = 0;
+    for (int i = first; i < count; ++i) picks += lobes[i].pick;
+    for (int i = first; i < count; ++i) {
+      lobes[i].share *= mixed_share;
+      lobes[i].pick *= picks > 0 ? mixed_share / picks : 0;
+    }
+    pick_sum += (picks > 0 ? mixed_share : 0) - picks;
+  }
+
   /// Whether light goes into more than single directions: whether `Eval` and `Pdf` can be above 0.
   bool HasSmoothPart() const {
     for (int i = 0; i < count; ++i) {

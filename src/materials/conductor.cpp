@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
@@ -39,57 +40,70 @@ Metal ReadMetal(ParamReader* params) {
   return metal;
 }
 
-/// `alpha_x` and `alpha_y`, or `roughness` in both directions.
-Ggx ReadSurface(ParamReader* params) {
-  const float roughness = params->Fraction("roughness", 0);
-  const float alpha = roughness * roughness;
-  const Ggx surface{params->Fraction("alpha_x", alpha), params->Fraction("alpha_y", alpha)};
-  const bool is_anisotropic = params->Has("alpha_x") || params->Has("alpha_y");
-  if (is_anisotropic && params->Has("roughness")) {
+/// `alpha_x` and `alpha_y` of a brushed metal; nothing when they are not given.
+std::optional<Ggx> ReadBrushing(ParamReader* params) {
+  const bool has_x = params->Has("alpha_x"), has_y = params->Has("alpha_y");
+  if (!has_x && !has_y) return std::nullopt;
+  if (params->Has("roughness")) {
     params->Error(params->Where("roughness"),
                   "roughness is given by 'roughness' or by 'alpha_x' and 'alpha_y', not by both");
-  } else if (params->Has("alpha_x") != params->Has("alpha_y")) {
-    params->Error(params->Where(params->Has("alpha_x") ? "alpha_x" : "alpha_y"),
+  } else if (has_x != has_y) {
+    params->Error(params->Where(has_x ? "alpha_x" : "alpha_y"),
                   "'alpha_x' and 'alpha_y' are given together");
   }
-  return surface;
+  return Ggx{params->Fraction("alpha_x", 0), params->Fraction("alpha_y", 0)};
 }
 
 }  // namespace
 
-std::unique_ptr<Material> ConductorMaterial::Create(ParamReader* params) {
+std::unique_ptr<Material> ConductorMaterial::Create(ParamReader* params,
+                                                    const MaterialContext& context) {
   const Metal metal = ReadMetal(params);
-  const Ggx surface = ReadSurface(params);
-  return std::make_unique<ConductorMaterial>(metal.eta, metal.k, surface,
-                                             params->Number("rotation", 0));
+  const std::optional<Ggx> brushing = ReadBrushing(params);
+  const float rotation = params->Number("rotation", 0);
+  if (brushing) {
+    return std::make_unique<ConductorMaterial>(metal.eta, metal.k, *brushing, rotation);
+  }
+  return std::make_unique<ConductorMaterial>(metal.eta, metal.k,
+                                             Roughness::Create(params, context));
+}
+
+ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Roughness roughness)
+    : params_{eta, k, MeanConductorReflectance(eta, k), {0, 0}, 1, 0, nullptr, 0, false},
+      roughness_(std::move(roughness)) {
+  if (!roughness_.IsNowhere()) energy_ = roughness_.MakeTable(MirrorFacet);
 }
 
 ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Ggx surface, float rotation_degrees)
-    : params_{eta,
-              k,
-              MeanConductorReflectance(eta, k),
-              surface,
-              static_cast<float>(CosDegrees(static_cast<double>(rotation_degrees))),
-              static_cast<float>(SinDegrees(static_cast<double>(rotation_degrees))),
-              nullptr,
-              0} {
-  if (std::max(surface.alpha_x, surface.alpha_y) < kSmoothestAlpha) return;
-  params_.surface.alpha_x = std::max(surface.alpha_x, kSmoothestAlpha);
-  params_.surface.alpha_y = std::max(surface.alpha_y, kSmoothestAlpha);
-  energy_ = surface.alpha_x == surface.alpha_y
-                ? EnergyTable::OfRoughness(surface.alpha_x, MirrorFacet)
-                : EnergyTable::OfAnisotropic(params_.surface, MirrorFacet);
-  params_.energy = &*energy_;
+    : ConductorMaterial(eta, k, Roughness::OfAlpha(0)) {
+  const auto degrees = static_cast<double>(rotation_degrees);
+  params_.cos_rotation = static_cast<float>(CosDegrees(degrees));
+  params_.sin_rotation = static_cast<float>(SinDegrees(degrees));
+  params_.surface = {std::max(surface.alpha_x, kSmoothestAlpha),
+                     std::max(surface.alpha_y, kSmoothestAlpha)};
+  energy_ = EnergyTable::OfAnisotropic(params_.surface, MirrorFacet);
+  params_.is_brushed = true;
 }
 
-PhongTerms ConductorMaterial::Phong(const SurfacePoint&) const {
-  const float alpha = std::max(params_.surface.alpha_x, params_.surface.alpha_y);
+PhongTerms ConductorMaterial::Phong(const SurfacePoint& point) const {
+  const float alpha = params_.is_brushed
+                          ? std::max(params_.surface.alpha_x, params_.surface.alpha_y)
+                          : roughness_.AlphaAt(point);
   return {{}, {}, ConductorReflectance(1, params_.eta, params_.k), ShininessOf(alpha)};
 }
 
-void ConductorMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
-  Lobe lobe{energy_ ? LobeKind::kConductor : LobeKind::kSmoothConductor, 1, Spectrum(1)};
+void ConductorMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
+  Lobe lobe{LobeKind::kConductor, 1, Spectrum(1)};
   lobe.conductor = params_;
+  lobe.conductor.energy = energy_ ? &*energy_ : nullptr;
+  if (params_.is_brushed) {
+    bsdf->frame = Frame::FromNormalAndTangent(bsdf->frame.z, point.dpdu);
+  } else {
+    const float alpha = roughness_.AlphaAt(point);
+    if (alpha < kSmoothestAlpha) lobe.kind = LobeKind::kSmoothConductor;
+    lobe.conductor.surface = {alpha, alpha};
+    lobe.conductor.table_row = roughness_.TableRow(alpha);
+  }
   bsdf->Add(lobe);
 }
 

@@ -23,8 +23,7 @@ Vec3 TurnedBack(const ConductorParams& metal, Vec3 w) {
 }
 
 float RowOf(const ConductorParams& metal, Vec3 w) {
-  const bool is_isotropic = metal.surface.alpha_x == metal.surface.alpha_y;
-  return is_isotropic ? metal.table_row : EnergyTable::RowOfAzimuth(w);
+  return metal.is_brushed ? EnergyTable::RowOfAzimuth(w) : metal.table_row;
 }
 
 /// The share of the light that is gone after one bounce on a white metal, and of what comes from

@@ -1,18 +1,26 @@
 #include "materials/diffuse.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace candela {
 
-std::unique_ptr<Material> DiffuseMaterial::Create(ParamReader* params) {
-  const Rgb albedo = params->Albedo("albedo", {0.5f, 0.5f, 0.5f});
-  return std::make_unique<DiffuseMaterial>(albedo, params->Fraction("roughness", 0));
+std::unique_ptr<Material> DiffuseMaterial::Create(ParamReader* params,
+                                                  const MaterialContext& context) {
+  ColorInput albedo = ColorInput::Albedo(params, "albedo", {0.5f, 0.5f, 0.5f}, context);
+  NumberInput roughness = NumberInput::Fraction(params, "roughness", 0, context);
+  return std::make_unique<DiffuseMaterial>(std::move(albedo), std::move(roughness));
 }
 
-void DiffuseMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
-  const bool is_rough = roughness_ > 0;
-  Lobe lobe{is_rough ? LobeKind::kOrenNayar : LobeKind::kLambert, 1, Spectrum(albedo_)};
-  if (is_rough) lobe.oren_nayar.roughness = roughness_;
+PhongTerms DiffuseMaterial::Phong(const SurfacePoint& point) const {
+  const Rgb albedo = albedo_.At(point);
+  return {albedo, albedo, {}, 0};
+}
+
+void DiffuseMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
+  const float roughness = roughness_.At(point);
+  const bool is_rough = roughness > 0;
+  Lobe lobe{is_rough ? LobeKind::kOrenNayar : LobeKind::kLambert, 1, Spectrum(albedo_.At(point))};
+  if (is_rough) lobe.oren_nayar.roughness = roughness;
   bsdf->Add(lobe);
 }
 

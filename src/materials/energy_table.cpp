@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -12,7 +13,7 @@ namespace {
 // share changes fast.
 constexpr int kColumns = 32;
 constexpr float kNearestToHorizon = 1e-4f;
-constexpr int kRoughnessRows = 16;
+constexpr int kRoughnessRows = 32;
 constexpr int kAzimuthRows = 9;
 constexpr int kIntervals = kColumns - 1;
 // Where the integral over the facets that a direction sees is evaluated. The rings are crowded at
@@ -80,30 +81,32 @@ float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet) {
 
 }  // namespace
 
+EnergyTable::EnergyTable(int rows) : rows_(rows), shares_(static_cast<size_t>(rows) * kColumns) {}
+
 EnergyTable EnergyTable::OfRoughness(float alpha, const Facet& facet) {
-  EnergyTable table;
-  table.AddRow({alpha, alpha}, 0, facet);
+  EnergyTable table(1);
+  table.FillRow(0, {alpha, alpha}, 0, facet);
   table.Summarise();
   return table;
 }
 
 EnergyTable EnergyTable::OfAllRoughness(const Facet& facet) {
-  EnergyTable table;
-  for (int row = 0; row < kRoughnessRows; ++row) {
+  EnergyTable table(kRoughnessRows);
+  ParallelFor(kRoughnessRows, [&](int64_t row) {
     const float root = static_cast<float>(row) / (kRoughnessRows - 1);
     const float alpha = std::max(root * root, kSmoothestAlpha);
-    table.AddRow({alpha, alpha}, 0, facet);
-  }
+    table.FillRow(static_cast<int>(row), {alpha, alpha}, 0, facet);
+  });
   table.Summarise();
   return table;
 }
 
 EnergyTable EnergyTable::OfAnisotropic(const Ggx& surface, const Facet& facet) {
-  EnergyTable table;
-  for (int row = 0; row < kAzimuthRows; ++row) {
-    table.AddRow(surface,
-                 static_cast<float>(kPi / 2) * static_cast<float>(row) / (kAzimuthRows - 1), facet);
-  }
+  EnergyTable table(kAzimuthRows);
+  ParallelFor(kAzimuthRows, [&](int64_t row) {
+    const float quarters = static_cast<float>(row) / (kAzimuthRows - 1);
+    table.FillRow(static_cast<int>(row), surface, static_cast<float>(kPi / 2) * quarters, facet);
+  });
   table.Summarise();
   // Light from everywhere comes from all azimuths.
   AverageRows(&table.means_, 1);
@@ -120,14 +123,14 @@ float EnergyTable::RowOfAzimuth(Vec3 w) {
   return Atan2(std::abs(w.y), std::abs(w.x)) / quarter * (kAzimuthRows - 1);
 }
 
-void EnergyTable::AddRow(const Ggx& surface, float azimuth, const Facet& facet) {
-  ++rows_;
+void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet) {
   const float c = Cos(azimuth), s = Sin(azimuth);
   for (int column = 0; column < kColumns; ++column) {
-    const float root = static_cast<float>(column) / (kColumns - 1);
+    const float root = static_cast<float>(column) / kIntervals;
     const float cosine = std::max(root * root, kNearestToHorizon);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    shares_.push_back(ShareOf(surface, {sine * c, sine * s, cosine}, facet));
+    shares_[static_cast<size_t>(row * kColumns + column)] =
+        ShareOf(surface, {sine * c, sine * s, cosine}, facet);
   }
 }
 

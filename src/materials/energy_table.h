@@ -40,11 +40,12 @@ class EnergyTable {
   float MissingPdf(float cosine, float row) const;
 
  private:
-  void AddRow(const Ggx& surface, float azimuth, const Facet& facet);
+  explicit EnergyTable(int rows);
+  void FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet);
   void Summarise();
   float MissingAt(int column, float row) const;
 
-  int rows_ = 0;
+  int rows_;
   std::vector<float> shares_;   ///< Row after row.
   std::vector<float> means_;    ///< Of each row.
   std::vector<float> missing_;  ///< Row after row: densities over the square of the cosine.

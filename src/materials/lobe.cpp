@@ -9,9 +9,10 @@
 namespace candela {
 namespace {
 
-LobeSample SampleMirror(const Lobe& lobe, Vec3 wo) {
+/// The only direction there is, with all the light.
+LobeSample SampleSingle(const Lobe& lobe, Vec3 wi) {
   LobeSample sample;
-  sample.wi = MirrorDirection(wo);
+  sample.wi = wi;
   sample.weight = lobe.weight;
   sample.pdf = 1;
   sample.is_delta = true;
@@ -44,6 +45,7 @@ Spectrum EvalLobe(const Lobe& lobe, Vec3 wo, Vec3 wi) {
     case LobeKind::kSmoothConductor:
     case LobeKind::kSmoothDielectric:
     case LobeKind::kPane:
+    case LobeKind::kHole:
       break;
   }
   return {};
@@ -68,6 +70,7 @@ float LobePdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
     case LobeKind::kSmoothConductor:
     case LobeKind::kSmoothDielectric:
     case LobeKind::kPane:
+    case LobeKind::kHole:
       break;
   }
   return 0;
@@ -82,7 +85,7 @@ LobeSample SampleLobe(const Lobe& lobe, Vec3 wo, Vec2 u) {
     case LobeKind::kPhong:
       return SamplePhong(lobe, wo, u);
     case LobeKind::kMirror:
-      return SampleMirror(lobe, wo);
+      return SampleSingle(lobe, MirrorDirection(wo));
     case LobeKind::kSmoothConductor:
       return SampleSmoothConductor(lobe, wo);
     case LobeKind::kConductor:
@@ -95,6 +98,8 @@ LobeSample SampleLobe(const Lobe& lobe, Vec3 wo, Vec2 u) {
       return SamplePane(lobe, wo, u);
     case LobeKind::kPlastic:
       return SamplePlastic(lobe, wo, u);
+    case LobeKind::kHole:
+      return SampleSingle(lobe, -wo);
   }
   return {};
 }

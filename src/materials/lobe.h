@@ -23,6 +23,7 @@ enum class LobeKind : uint8_t {
   kDielectric,        ///< Ground glass.
   kPane,              ///< A thin sheet of polished glass, which shifts nothing.
   kPlastic,           ///< A diffuse base under a polished or rough coat of dielectric.
+  kHole,              ///< Nothing is there: light goes on as it came.
 };
 
 struct OrenNayarParams {
@@ -39,7 +40,8 @@ struct ConductorParams {
   Ggx surface;
   float cos_rotation, sin_rotation;  ///< Of the direction of `alpha_x` in the frame.
   const EnergyTable* energy;         ///< Of what a white metal reflects after one bounce.
-  float table_row;
+  float table_row;                   ///< Of one that is not brushed.
+  bool is_brushed;                   ///< The rows of the table are azimuths.
 };
 
 struct DielectricParams {
@@ -64,10 +66,12 @@ struct PlasticParams {
 };
 
 /// One part of what a surface does with light: `kind` says which of the structures counts. The
-/// weight multiplies all of it; for the diffuse ones and the mirror it is the albedo.
+/// weight is the albedo of diffuse ones, of the base of plastic and of the mirror, and multiplies
+/// what others do.
 struct Lobe {
   LobeKind kind;
   float pick;  ///< How often it is drawn, in relation to that of the other lobes; not negative.
+  float share = 1;  ///< In a mixture of surfaces that of the lobe's; multiplies all it does.
   Spectrum weight;
   /// By kind; of the others there are none.
   union {
@@ -88,7 +92,7 @@ struct Lobe {
 /// True for lobes that send light from one direction into one direction, or into two.
 constexpr bool IsDelta(LobeKind kind) {
   return kind == LobeKind::kMirror || kind == LobeKind::kSmoothConductor ||
-         kind == LobeKind::kSmoothDielectric || kind == LobeKind::kPane;
+         kind == LobeKind::kSmoothDielectric || kind == LobeKind::kPane || kind == LobeKind::kHole;
 }
 
 /// A direction drawn from a lobe; see `BsdfSample`, whose terms it has.

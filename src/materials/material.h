@@ -39,6 +39,15 @@ class Material {
   /// part exp(-absorption * length) is left.
   virtual Rgb Absorption() const { return {}; }
 
+  /// How many lobes `Evaluate` adds at most.
+  virtual int MostLobes() const { return 1; }
+
+  /// Whether `Evaluate` turns the frame's z axis away from the shading normal.
+  virtual bool BendsNormals() const { return false; }
+
+  /// Whether the points that it is asked about need texture coordinates.
+  virtual bool NeedsTextureCoordinates() const { return false; }
+
   /// False when `Evaluate` cannot say all that the material does.
   virtual bool IsPhysical() const = 0;
 };

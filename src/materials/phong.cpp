@@ -3,16 +3,34 @@
 #include <algorithm>
 
 namespace candela {
+namespace {
 
-std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
-  PhongTerms terms;
-  terms.diffuse = params->Color("diffuse", {1, 1, 1});
-  terms.ambient = params->Has("diffuse") ? terms.diffuse : Rgb();
-  terms.specular = params->Color("specular", {0, 0, 0});
-  terms.shininess = params->Number("shininess", 0);
-  const bool is_normalised = params->Flag("normalised", false);
-  auto material = std::make_unique<PhongMaterial>(terms, is_normalised);
-  if (is_normalised && (!material->IsPhysical() || terms.shininess < 0)) {
+bool IsShare(Rgb c) {
+  return std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1;
+}
+
+float Largest(Rgb c) {
+  return std::max({c.x, c.y, c.z});
+}
+
+}  // namespace
+
+PhongMaterial::PhongMaterial(const PhongTerms& terms, bool is_normalised)
+    : diffuse_(terms.diffuse),
+      specular_(terms.specular),
+      has_ambient_(terms.ambient != Rgb()),
+      shininess_(terms.shininess),
+      is_normalised_(is_normalised) {}
+
+std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params,
+                                                const MaterialContext& context) {
+  std::unique_ptr<PhongMaterial> material(new PhongMaterial());
+  material->diffuse_ = ColorInput::Color(params, "diffuse", {1, 1, 1}, context);
+  material->has_ambient_ = params->Has("diffuse");
+  material->specular_ = ColorInput::Color(params, "specular", {0, 0, 0}, context);
+  material->shininess_ = params->Number("shininess", 0);
+  material->is_normalised_ = params->Flag("normalised", false);
+  if (material->is_normalised_ && (!material->IsPhysical() || material->shininess_ < 0)) {
     params->Error(params->Where("normalised"),
                   "a normalised 'phong' needs a 'diffuse' and a 'specular' colour that are not "
                   "negative and together at most 1, and a 'shininess' that is not negative");
@@ -20,22 +38,35 @@ std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params) {
   return material;
 }
 
-void PhongMaterial::Evaluate(const SurfacePoint&, Bsdf* bsdf) const {
-  const auto largest = [](Rgb c) { return std::max({c.x, c.y, c.z}); };
-  bsdf->Add({LobeKind::kLambert, largest(terms_.diffuse), Spectrum(terms_.diffuse)});
-  if (!is_normalised_ || terms_.specular == Rgb()) return;
-  Lobe highlight{LobeKind::kPhong, largest(terms_.specular), Spectrum(terms_.specular)};
-  highlight.phong.exponent = terms_.shininess;
+PhongTerms PhongMaterial::Phong(const SurfacePoint& point) const {
+  const Rgb diffuse = diffuse_.At(point);
+  return {has_ambient_ ? diffuse : Rgb(), diffuse, specular_.At(point), shininess_};
+}
+
+void PhongMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
+  // Textures may go beyond what a surface can throw back.
+  Rgb diffuse = Max(Rgb(), diffuse_.At(point));
+  Rgb specular = is_normalised_ ? Max(Rgb(), specular_.At(point)) : Rgb();
+  const float most = Largest(diffuse + specular);
+  if (most > 1) {
+    diffuse *= 1 / most;
+    specular *= 1 / most;
+  }
+  bsdf->Add({LobeKind::kLambert, Largest(diffuse), Spectrum(diffuse)});
+  if (specular == Rgb()) return;
+  Lobe highlight{LobeKind::kPhong, Largest(specular), Spectrum(specular)};
+  highlight.phong.exponent = shininess_;
   bsdf->Add(highlight);
 }
 
 bool PhongMaterial::IsPhysical() const {
-  const auto is_share = [](Rgb c) {
-    return std::min({c.x, c.y, c.z}) >= 0 && std::max({c.x, c.y, c.z}) <= 1;
-  };
-  if (!is_normalised_) return terms_.specular == Rgb() && is_share(terms_.diffuse);
-  return is_share(terms_.diffuse) && is_share(terms_.specular) &&
-         is_share(terms_.diffuse + terms_.specular);
+  const Rgb diffuse = diffuse_.value(), specular = specular_.value();
+  if (!is_normalised_) {
+    return !specular_.IsTextured() && specular == Rgb() &&
+           (diffuse_.IsTextured() || IsShare(diffuse));
+  }
+  const bool is_limited = diffuse_.IsTextured() || specular_.IsTextured();
+  return IsShare(diffuse) && IsShare(specular) && (is_limited || IsShare(diffuse + specular));
 }
 
 }  // namespace candela

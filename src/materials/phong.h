@@ -3,7 +3,9 @@
 #include <memory>
 
 #include "materials/material.h"
+#include "materials/material_context.h"
 #include "scene_spec/param_reader.h"
+#include "textures/texture_input.h"
 
 namespace candela {
 
@@ -12,19 +14,26 @@ namespace candela {
 /// highlight too.
 class PhongMaterial final : public Material {
  public:
-  explicit PhongMaterial(const PhongTerms& terms, bool is_normalised = false)
-      : terms_(terms), is_normalised_(is_normalised) {}
-  static std::unique_ptr<Material> Create(ParamReader* params);
+  explicit PhongMaterial(const PhongTerms& terms, bool is_normalised = false);
+  static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
-  PhongTerms Phong(const SurfacePoint&) const override { return terms_; }
+  PhongTerms Phong(const SurfacePoint& point) const override;
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
+  bool NeedsTextureCoordinates() const override {
+    return diffuse_.NeedsTextureCoordinates() || specular_.NeedsTextureCoordinates();
+  }
+  int MostLobes() const override { return 2; }
   /// Light transport refuses highlights that are not normalised, since they do not conserve energy,
   /// and what would be no albedo.
   bool IsPhysical() const override;
 
  private:
-  PhongTerms terms_;
-  bool is_normalised_;
+  PhongMaterial() = default;
+
+  ColorInput diffuse_, specular_;
+  bool has_ambient_ = false;  ///< Ambient light meets the diffuse colour, not black.
+  float shininess_ = 0;
+  bool is_normalised_ = false;
 };
 
 }  // namespace candela

@@ -3,9 +3,12 @@
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
 #include "materials/diffuse.h"
+#include "materials/mask.h"
 #include "materials/mirror.h"
+#include "materials/mix.h"
 #include "materials/phong.h"
 #include "materials/plastic.h"
+#include "materials/relief.h"
 #include "scene_spec/registry.h"
 
 namespace candela {
@@ -19,6 +22,8 @@ constexpr MaterialEntry kMaterials[] = {
     {"conductor", &ConductorMaterial::Create, "type conductor metal gold roughness 0.5"},
     {"dielectric", &DielectricMaterial::Create, "type dielectric ior glass roughness 0.5"},
     {"plastic", &PlasticMaterial::Create, "type plastic albedo 0.8 0.2 0.1 roughness 0.4"},
+    {"mix", &MixMaterial::Create, "type mix first iron second clay amount 0.3"},
+    {"mask", &MaskMaterial::Create, "type mask material clay opacity 0.6"},
 };
 
 }  // namespace
@@ -27,13 +32,14 @@ std::span<const MaterialEntry> MaterialEntries() {
   return kMaterials;
 }
 
-std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, Diagnostics* diagnostics) {
-  const MaterialEntry* entry = FindEntry<MaterialEntry>(kMaterials, spec, "material", diagnostics);
+std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, const MaterialContext& context) {
+  const MaterialEntry* entry =
+      FindEntry<MaterialEntry>(kMaterials, spec, "material", context.diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics);
   // The loader has taken these; a parameter that was meant as one of them is told so.
   for (const std::string_view name : {"type", "name"}) params.Has(name);
-  auto material = entry->create(&params);
+  auto material = ReliefMaterial::Applied(entry->create(&params, context), &params, context);
   params.Finish();
   return material;
 }

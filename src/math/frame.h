@@ -22,6 +22,18 @@ struct Frame {
         {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
   }
 
+  /// The basis around `n` whose x axis is `tangent` without its part along `n`; any, when nothing
+  /// is left of that.
+  static Frame FromNormalAndTangent(Vec3 n, Vec3 tangent) {
+    const Vec3 along = tangent - n * Dot(n, tangent);
+    const float length2 = LengthSquared(along);
+    if (!(length2 > 1e-12f * LengthSquared(tangent)) || !std::isfinite(length2)) {
+      return FromNormal(n);
+    }
+    const Vec3 x = NormalizeAnyLength(along);
+    return {x, Cross(n, x), n};
+  }
+
   Vec3 ToLocal(Vec3 world) const { return {Dot(world, x), Dot(world, y), Dot(world, z)}; }
   Vec3 ToWorld(Vec3 local) const { return x * local.x + y * local.y + z * local.z; }
 };

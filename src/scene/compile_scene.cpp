@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "lights/registry.h"
 #include "materials/registry.h"
 #include "shapes/registry.h"
+#include "textures/registry.h"
 
 namespace candela {
 
@@ -19,12 +21,24 @@ class SceneCompiler {
  public:
   /// So many triangles are copied for each object rather than shared, all copies together.
   static constexpr uint64_t kFewTriangles = 1000;
+  /// Among more names than a person would read the search for a similar one would take its time.
+  static constexpr size_t kMostSuggested = 1000;
 
   SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
-      : spec_(spec), diagnostics_(*diagnostics), scene_(new Scene(spec.camera)) {}
+      : spec_(spec),
+        diagnostics_(*diagnostics),
+        scene_(new Scene(spec.camera)),
+        material_context_{{diagnostics, spec.folder,
+                           [this](std::string_view name, const SourceLocation& where) {
+                             return TextureNamed(name, where);
+                           }},
+                          [this](std::string_view name, const SourceLocation& where) {
+                            return PartNamed(name, where);
+                          }} {}
 
   std::unique_ptr<Scene> Compile() {
     CompileBackground();
+    CompileTextures();
     CompileMaterials();
     CompileNodes();
     if (diagnostics_.HasErrors()) return nullptr;
@@ -57,13 +71,38 @@ class SceneCompiler {
     }
   }
 
+  void CompileTextures() {
+    for (const TextureSpec& spec : spec_.textures) {
+      auto texture = CreateTexture(spec.texture, material_context_);
+      if (!spec.name.empty()) texture_by_name_.try_emplace(spec.name, texture);
+      if (texture) scene_->textures_.push_back(std::move(texture));
+    }
+  }
+
+  /// Null when there is no such texture, or when it could not be made; either is reported once.
+  std::shared_ptr<const Texture> TextureNamed(std::string_view name, const SourceLocation& where) {
+    const auto found = texture_by_name_.find(name);
+    if (found != texture_by_name_.end()) return found->second;
+    if (spec_.textures_are_damaged) return nullptr;
+    diagnostics_.Error(where, [&] {
+      std::vector<std::string_view> names;
+      bool is_below = false;
+      for (const TextureSpec& texture : spec_.textures) {
+        is_below = is_below || texture.name == name;
+        if (names.size() < kMostSuggested) names.push_back(texture.name);
+      }
+      if (is_below)
+        return fmt::format("a texture uses only those above it, unlike {}", Quote(name));
+      return fmt::format("there is no texture named {}{}", Quote(name), DidYouMean(name, names));
+    });
+    return nullptr;
+  }
+
   void CompileMaterials() {
     for (const MaterialSpec& material : spec_.materials) {
-      if (!material.name.empty()) {
-        const auto index = static_cast<uint32_t>(scene_->materials_.size());
-        material_by_name_.try_emplace(material.name, index);
-      }
-      scene_->materials_.push_back(CreateMaterial(material.material, &diagnostics_));
+      const auto index = static_cast<uint32_t>(scene_->materials_.size());
+      scene_->materials_.push_back(CreateMaterial(material.material, material_context_));
+      if (!material.name.empty()) material_by_name_.try_emplace(material.name, index);
     }
   }
 
@@ -125,6 +164,8 @@ class SceneCompiler {
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
                                 Transform(*object_from_world), *material, light, false, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
+    const auto& made_of = scene_->materials_[*material];
+    scene_->objects_.back().is_textured = made_of && made_of->NeedsTextureCoordinates();
     places_.push_back({world_from_node, where});
   }
 
@@ -152,16 +193,32 @@ class SceneCompiler {
     const auto found = material_by_name_.find(reference.name);
     if (found != material_by_name_.end()) return found->second;
     ReportNoMaterial(reference.where, [&] {
-      // Among more names than a person would read the search would take its time.
-      constexpr size_t kMost = 1000;
       std::vector<std::string_view> names;
       for (const auto& [name, index] : material_by_name_) {
-        if (names.size() < kMost) names.push_back(name);
+        if (names.size() < kMostSuggested) names.push_back(name);
       }
       return fmt::format("there is no material named {}{}", Quote(reference.name),
                          DidYouMean(reference.name, names));
     });
     return std::nullopt;
+  }
+
+  /// A material for another one that is made of it; null when it is missing or wrong, which is
+  /// reported.
+  const Material* PartNamed(std::string_view name, const SourceLocation& where) {
+    const bool is_below = !material_by_name_.contains(name) &&
+                          std::any_of(spec_.materials.begin(), spec_.materials.end(),
+                                      [&](const MaterialSpec& each) { return each.name == name; });
+    if (is_below) {
+      diagnostics_.Error(
+          where, fmt::format("a material is made of those above it, unlike {}", Quote(name)));
+      return nullptr;
+    }
+    MaterialReference reference;
+    reference.name = name;
+    reference.where = where;
+    const auto index = MaterialNamed(reference);
+    return index ? scene_->materials_[*index].get() : nullptr;
   }
 
   template <class MakeText>
@@ -175,7 +232,7 @@ class SceneCompiler {
       const TypedSpec plain{
           "phong", where, {{{"diffuse", where, {{"0.8", where}, {"0.8", where}, {"0.8", where}}}}}};
       default_material_ = static_cast<uint32_t>(scene_->materials_.size());
-      scene_->materials_.push_back(CreateMaterial(plain, &diagnostics_));
+      scene_->materials_.push_back(CreateMaterial(plain, material_context_));
     }
     return *default_material_;
   }
@@ -245,6 +302,8 @@ class SceneCompiler {
   const SceneSpec& spec_;
   Diagnostics& diagnostics_;
   std::unique_ptr<Scene> scene_;
+  MaterialContext material_context_;
+  std::map<std::string_view, std::shared_ptr<const Texture>> texture_by_name_;
   std::map<std::string_view, uint32_t> material_by_name_;
   std::optional<uint32_t> default_material_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
@@ -260,6 +319,12 @@ std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
   }
   if (!spec.background.environment.empty()) {
     files.push_back(spec.folder / spec.background.environment);
+  }
+  for (const TextureSpec& texture : spec.textures) {
+    const Param* file = texture.texture.params.Find("file");
+    if (texture.texture.type == "image" && file && file->words.size() == 1) {
+      files.push_back(spec.folder / file->words[0].text);
+    }
   }
   return files;
 }

@@ -13,21 +13,31 @@ SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
   SurfacePoint point;
   point.p = ray.At(hit.t);
-  point.n_shading =
-      NormalToWorld(hit.object, object.shape->SurfaceAt(object.ToObject(ray), hit).n_shading);
+  SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
+  point.n_shading = NormalToWorld(hit.object, local.n_shading);
+  if (object.is_textured) {
+    object.shape->AddTextureCoordinates(hit, &local);
+    point.uv = local.uv;
+  }
   return point;
 }
 
 SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
-  const SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
+  SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
+  if (object.is_textured) object.shape->AddTextureCoordinates(hit, &local);
   SurfacePoint world = local;
   world.p = object.world_from_object.Point(local.p);
   // A ray that leaves from here is taken back to object space, with a rounding error of its own.
   const Vec3 way_back = object.object_from_world.PointError(world.p, {});
   world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
   world.n_geometric = NormalToWorld(hit.object, local.n_geometric);
-  world.n_shading = NormalToWorld(hit.object, local.n_shading);
+  const bool is_same = local.n_shading == local.n_geometric;
+  world.n_shading = is_same ? world.n_geometric : NormalToWorld(hit.object, local.n_shading);
+  if (object.is_textured) {
+    world.dpdu = object.world_from_object.Vector(local.dpdu);
+    world.dpdv = object.world_from_object.Vector(local.dpdv);
+  }
   return world;
 }
 
@@ -47,6 +57,7 @@ uint64_t Scene::MemoryBytes() const {
     bytes += sizeof object;
     if (counted.insert(object.shape.get()).second) bytes += object.shape->MemoryBytes();
   }
+  for (const auto& texture : textures_) bytes += texture->MemoryBytes();
   if (background_.cube_map) bytes += background_.cube_map->MemoryBytes();
   if (background_.environment) bytes += background_.environment->MemoryBytes();
   return bytes;

@@ -16,6 +16,7 @@
 #include "scene/background.h"
 #include "scene/scene_object.h"
 #include "scene/scene_tree.h"
+#include "textures/texture.h"
 
 namespace candela {
 
@@ -39,11 +40,13 @@ class Scene {
     tree_.group->Occluded(order, rays, occluded);
   }
 
-  /// The hit point in world space, with unit normals.
+  /// The hit point in world space, with unit normals; with texture coordinates where the material
+  /// asks for them.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
 
-  /// The hit as the course sees it, at a third of the cost: the point o + t d and the shading
-  /// normal. The geometric normal and the error bound stay 0, so no ray can be spawned from it.
+  /// The hit as the course sees it, at a third of the cost: the point o + t d, the shading normal,
+  /// and texture coordinates for materials that ask for them. The geometric normal and the error
+  /// bound stay 0, so no ray can be spawned from it.
   SurfacePoint ShadingAt(const Ray& ray, const HitRecord& hit) const;
 
   const PerspectiveCamera& camera() const { return camera_; }
@@ -74,6 +77,7 @@ class Scene {
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
+  std::vector<std::shared_ptr<const Texture>> textures_;
   SceneTree tree_;
 };
 

@@ -12,6 +12,7 @@ namespace candela {
 /// indices where the file says so.
 struct MeshSpec {
   static constexpr uint32_t kNoNormal = 0xFFFFFFFF;
+  static constexpr uint32_t kNoUv = 0xFFFFFFFF;
 
   using Corners = std::array<uint32_t, 3>;
 
@@ -19,7 +20,9 @@ struct MeshSpec {
   std::vector<Vec3> normals;       ///< As in the file, not normalised; may be empty.
   std::vector<Corners> triangles;  ///< Into `positions`, counter-clockwise from outside.
   std::vector<Corners>
-      normal_corners;  ///< Into `normals` or `kNoNormal`; empty when no corner has one.
+      normal_corners;     ///< Into `normals` or `kNoNormal`; empty when no corner has one.
+  std::vector<Vec2> uvs;  ///< Texture coordinates; may be empty.
+  std::vector<Corners> uv_corners;  ///< Into `uvs` or `kNoUv`; empty when no corner has any.
 };
 
 }  // namespace candela

@@ -149,6 +149,16 @@ float ParamReader::RequiredAngle(std::string_view name) {
   return OneNumber(name, true, {"an angle above 0 and below 180 degrees", IsAngle}).value_or(90.0f);
 }
 
+Vec2 ParamReader::Pair(std::string_view name, Vec2 default_value) {
+  return ReadEach(name, false,
+                  [&](const Param& param) -> std::optional<Vec2> {
+                    std::array<float, 2> v;
+                    if (!ReadNumbers(param, {"two numbers", IsAny}, v)) return std::nullopt;
+                    return Vec2{v[0], v[1]};
+                  })
+      .value_or(default_value);
+}
+
 Vec3 ParamReader::Vector(std::string_view name, Vec3 default_value) {
   return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
 }
@@ -221,6 +231,19 @@ std::string ParamReader::Word(std::string_view name) {
 
 std::string ParamReader::RequiredWord(std::string_view name) {
   return ReadEach(name, true, [&](const Param& param) { return OneWord(param); }).value_or("");
+}
+
+bool ParamReader::IsTexture(std::string_view name) {
+  if (!Has(name)) return false;
+  const Param& param = *params_.Find(name);
+  return !param.words.empty() && param.words[0].text == "texture";
+}
+
+const ParamWord* ParamReader::TextureName(std::string_view name) {
+  const Param& param = *params_.Find(name);
+  if (param.words.size() == 2) return &param.words[1];
+  Error(param.words[0].where, fmt::format("{} expects one name behind 'texture'", Quote(name)));
+  return nullptr;
 }
 
 bool ParamReader::Has(std::string_view name) {

@@ -46,6 +46,7 @@ class ParamReader {
   /// Nothing when it is missing or wrong.
   std::optional<int64_t> RequiredInteger(std::string_view name);
 
+  Vec2 Pair(std::string_view name, Vec2 default_value);
   Vec3 Vector(std::string_view name, Vec3 default_value);
   Vec3 RequiredVector(std::string_view name);
   /// Three numbers of which at least one is not 0.
@@ -65,6 +66,11 @@ class ParamReader {
   /// One word or path, as written; empty when it is missing or wrong.
   std::string Word(std::string_view name);
   std::string RequiredWord(std::string_view name);
+
+  /// Whether a texture stands in place of the value, as in `diffuse texture wood`.
+  bool IsTexture(std::string_view name);
+  /// Its name; null when that is missing, which is reported.
+  const ParamWord* TextureName(std::string_view name);
 
   bool Has(std::string_view name);
   /// The place of the parameter's value, or of the object when it is missing.

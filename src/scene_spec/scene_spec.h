@@ -40,6 +40,13 @@ struct BackgroundSpec {
   float environment_rotate_degrees = 0;  ///< About +y, counter-clockwise seen from above.
 };
 
+/// A texture with the name that materials and further textures use for it.
+struct TextureSpec {
+  TypedSpec texture;
+  std::string name;
+  SourceLocation name_where;
+};
+
 /// A material with the name that nodes may use for it.
 struct MaterialSpec {
   TypedSpec material;
@@ -73,6 +80,10 @@ struct SceneSpec {
   SourceLocation file;           ///< The file as a whole, for messages.
   CameraSpec camera;
   BackgroundSpec background;
+  /// In the order of the file, in which a texture may use those above it.
+  std::vector<TextureSpec> textures;
+  /// As `materials_are_damaged`.
+  bool textures_are_damaged = false;
   std::vector<MaterialSpec> materials;
   /// True when some could not be read, which was reported: a reference to one that is missing is
   /// then no mistake of its own.

@@ -36,4 +36,12 @@ SurfacePoint Disk::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   return {{hit.u, hit.v, 0}, error, n, n};
 }
 
+// Those of the square around it: a picture is cut out, not bent.
+void Disk::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
+  const float size = 2 * radius_;
+  point->uv = {0.5f + hit.u / size, 0.5f + hit.v / size};
+  point->dpdu = {size, 0, 0};
+  point->dpdv = {0, size, 0};
+}
+
 }  // namespace candela

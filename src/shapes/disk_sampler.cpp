@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sampling/spherical_rectangle.h"
@@ -20,7 +21,7 @@ class DiskSampler final : public SurfaceSampler {
         radius_y_(ToDouble(radius_y)),
         n_(n) {
     area_ = kPi * Length(Cross(radius_x_, radius_y_));
-    size_ = Length(radius_x) + Length(radius_y);
+    size_ = std::max(Length(radius_x), Length(radius_y));
     const double slant = std::abs(Dot(radius_x_, radius_y_));
     is_right_angled_ = slant <= 1e-6 * Length(radius_x_) * Length(radius_y_);
   }
@@ -44,12 +45,11 @@ class DiskSampler final : public SurfaceSampler {
   }
 
   double Area() const override { return area_; }
+  Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
-  bool IsNear(Vec3 from) const {
-    return is_right_angled_ && Length(ToDouble(from) - center_) < 1.5 * double{size_};
-  }
+  bool IsNear(Vec3 from) const { return is_right_angled_ && !IsFar(from, ToFloat(center_), size_); }
   SphericalRectangle SquareSeenFrom(Vec3 from) const {
     return {center_ - radius_x_ - radius_y_ - ToDouble(from), radius_x_ * 2.0, radius_y_ * 2.0};
   }

@@ -102,7 +102,29 @@ uint64_t Mesh::MemoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
   return sizeof *this + bytes(own_positions_) + bytes(own_normals_) + bytes(own_normal_corners_) +
          bytes(spec_->positions) + bytes(spec_->normals) + bytes(spec_->triangles) +
-         bytes(spec_->normal_corners);
+         bytes(spec_->normal_corners) + bytes(spec_->uvs) + bytes(spec_->uv_corners);
+}
+
+// Over a triangle the position is linear in the coordinates: its edges are those of the coordinates
+// times the derivatives, which is solved for these.
+void Mesh::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
+  const auto& [ia, ib, ic] = spec_->triangles[hit.primitive];
+  const Vec3 ab = positions_[ib] - positions_[ia], ac = positions_[ic] - positions_[ia];
+  Vec2 a{0, 0}, b{1, 0}, c{0, 1};
+  if (!spec_->uv_corners.empty()) {
+    const auto& [ta, tb, tc] = spec_->uv_corners[hit.primitive];
+    if (ta != MeshSpec::kNoUv && tb != MeshSpec::kNoUv && tc != MeshSpec::kNoUv) {
+      a = spec_->uvs[ta];
+      b = spec_->uvs[tb];
+      c = spec_->uvs[tc];
+    }
+  }
+  point->uv = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
+  const Vec2 b_a = b - a, c_a = c - a;
+  const float area = b_a.x * c_a.y - b_a.y * c_a.x;
+  if (area == 0) return;  // All corners lie on a line of the texture.
+  point->dpdu = (ab * c_a.y - ac * b_a.y) * (1 / area);
+  point->dpdv = (ac * b_a.x - ab * c_a.x) * (1 / area);
 }
 
 }  // namespace candela

@@ -26,6 +26,7 @@ class Mesh final : public Shape {
   /// meshes of a few triangles; a scene finds hits by way of `Triangles`.
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const override;
   std::optional<TriangleInput> Triangles() const override;
   std::unique_ptr<const SurfaceSampler> MakeSampler(
       const Transform& world_from_object, const Transform& object_from_world) const override;

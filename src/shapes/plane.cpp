@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/frame.h"
+
 namespace candela {
 
 std::shared_ptr<const Shape> Plane::Create(ParamReader* params, ShapeContext*) {
@@ -43,6 +45,14 @@ SurfacePoint Plane::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   // Not 0 in the origin itself, where halving the smallest float would lead back to the plane.
   const float error = std::max(largest * 6e-7f, 1e-30f);
   return {on_plane, {error, error, error}, normal_, normal_};
+}
+
+// Lengths along two axes in the plane; on a floor with the normal y these are x and -z.
+void Plane::AddTextureCoordinates(const HitRecord&, SurfacePoint* point) const {
+  const Frame frame = Frame::FromNormal(Normalize(normal_));
+  point->uv = {Dot(point->p, frame.x), Dot(point->p, frame.y)};
+  point->dpdu = frame.x;
+  point->dpdv = frame.y;
 }
 
 }  // namespace candela

@@ -38,4 +38,12 @@ SurfacePoint Rectangle::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   return {{hit.u, hit.v, 0}, error, n, n};
 }
 
+// From 0 to 1 along either side.
+void Rectangle::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
+  const float width = 2 * half_width_, height = 2 * half_height_;
+  point->uv = {0.5f + hit.u / width, 0.5f + hit.v / height};
+  point->dpdu = {width, 0, 0};
+  point->dpdv = {0, height, 0};
+}
+
 }  // namespace candela

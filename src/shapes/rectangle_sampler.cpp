@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "sampling/spherical_rectangle.h"
@@ -7,51 +8,57 @@
 namespace candela {
 namespace {
 
-/// By solid angle. By area where the transform has made a parallelogram of the rectangle, and where
-/// it is seen so small that both come to the same.
+/// By solid angle. By area from afar, and where the transform has made a parallelogram of the
+/// rectangle.
 class RectangleSampler final : public SurfaceSampler {
  public:
   RectangleSampler(Vec3 corner, Vec3 side_x, Vec3 side_y, Vec3 n)
-      : corner_(ToDouble(corner)), side_x_(ToDouble(side_x)), side_y_(ToDouble(side_y)), n_(n) {
+      : corner_(ToDouble(corner)),
+        side_x_(ToDouble(side_x)),
+        side_y_(ToDouble(side_y)),
+        center_(corner + side_x * 0.5f + side_y * 0.5f),
+        n_(n) {
     area_ = Length(Cross(side_x_, side_y_));
-    size_ = Length(side_x) + Length(side_y);
+    size_ = std::max(Length(side_x), Length(side_y));
     const double slant = std::abs(Dot(side_x_, side_y_));
     is_right_angled_ = slant <= 1e-6 * Length(side_x_) * Length(side_y_);
   }
 
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
-    if (IsInPlane(from, ToFloat(corner_), n_, size_)) return {};
-    if (!is_right_angled_) return SampleByArea(from, PointAt(u), n_, area_);
+    if (IsInPlane(from, center_, n_, size_)) return {};
+    if (IsByArea(from)) return SampleByArea(from, PointAt(u), n_, area_);
     const SphericalRectangle seen = SeenFrom(from);
-    if (!IsLarge(seen)) return SampleByArea(from, PointAt(u), n_, area_);
+    if (!(seen.SolidAngle() > kLeastAngle)) return {};
     SurfaceSample sample = SampleByArea(from, PointAt(seen.Sample(u)), n_, area_);
     if (sample.pdf > 0) sample.pdf = static_cast<float>(seen.Pdf());
     return sample;
   }
 
   float Pdf(Vec3 from, Vec3 p, Vec3) const override {
-    if (IsInPlane(from, ToFloat(corner_), n_, size_)) return 0;
-    if (is_right_angled_) {
-      const SphericalRectangle seen = SeenFrom(from);
-      if (IsLarge(seen)) return static_cast<float>(seen.Pdf());
-    }
-    return PdfByArea(from, p, n_, area_);
+    if (IsInPlane(from, center_, n_, size_)) return 0;
+    if (IsByArea(from)) return PdfByArea(from, p, n_, area_);
+    const SphericalRectangle seen = SeenFrom(from);
+    return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
   double Area() const override { return area_; }
+  Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
+  /// So little is seen edge-on, or of a long and narrow one; rays find it.
+  static constexpr double kLeastAngle = 1e-6;
+
+  bool IsByArea(Vec3 from) const { return !is_right_angled_ || IsFar(from, center_, size_); }
   SphericalRectangle SeenFrom(Vec3 from) const {
     return {corner_ - ToDouble(from), side_x_, side_y_};
   }
-  static bool IsLarge(const SphericalRectangle& seen) { return seen.SolidAngle() > 1e-6; }
   Vec3 PointAt(Vec2 place) const {
     return ToFloat(corner_ + side_x_ * double{place.x} + side_y_ * double{place.y});
   }
 
   Vec3d corner_, side_x_, side_y_;
-  Vec3 n_;
+  Vec3 center_, n_;
   double area_;
   float size_;
   bool is_right_angled_;

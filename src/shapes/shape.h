@@ -37,6 +37,13 @@ class Shape {
   /// but 0. Kept apart because most hits found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
 
+  /// Adds texture coordinates, and how the point moves with them, to what `SurfaceAt` gave. Kept
+  /// apart because few materials ask for them. Unless the shape knows better, they are where on the
+  /// primitive the hit lies, and say nothing about directions.
+  virtual void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
+    point->uv = {hit.u, hit.v};
+  }
+
   /// The triangles, when that is all it consists of; then the scene's own search finds their hits,
   /// and does not ask `Intersect`, which says the same about a single shape at leisure. What the
   /// spans refer to lives as long as the shape.

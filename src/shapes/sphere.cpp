@@ -1,7 +1,10 @@
 #include "shapes/sphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "math/elementary.h"
 
 namespace candela {
 
@@ -45,6 +48,20 @@ SurfacePoint Sphere::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const Vec3 normal = NormalizeAnyLength(ray.At(hit.t));
   const Vec3 p = normal * radius_;
   return {p, Abs(p) * 6e-7f, normal, normal};
+}
+
+// Like a globe whose axis is y: u goes around to the right, as seen from outside, with its middle
+// at +z; v goes from the lowest point up.
+void Sphere::AddTextureCoordinates(const HitRecord&, SurfacePoint* point) const {
+  constexpr auto kPiF = static_cast<float>(kPi);
+  const Vec3 p = point->p, n = point->n_geometric;
+  point->uv = {0.5f + Atan2(n.x, n.z) / (2 * kPiF),
+               0.5f + Asin(std::clamp(n.y, -1.0f, 1.0f)) / kPiF};
+  point->dpdu = Vec3{p.z, 0, -p.x} * (2 * kPiF);
+  const float from_axis = std::sqrt(n.x * n.x + n.z * n.z);
+  // At the poles u says nothing, and v goes down on all sides.
+  if (from_axis == 0) return;
+  point->dpdv = Vec3{-n.y * n.x / from_axis, from_axis, -n.y * n.z / from_axis} * (radius_ * kPiF);
 }
 
 }  // namespace candela

@@ -17,27 +17,32 @@ float Largest(Vec3 v) {
 
 SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area) {
   const Vec3 way = p - from;
-  const float distance = Length(way);
+  const float squared = LengthSquared(way);
+  const float distance = std::sqrt(squared);
   if (!(distance > 0)) return {};
   SurfaceSample sample;
-  sample.direction = way / distance;
+  sample.direction = way * (1 / distance);
   sample.n = n;
-  sample.pdf = PdfByArea(from, p, n, area);
   // Rounding moves points by so much; a slanted surface is met that much earlier.
   const float cosine = std::abs(Dot(n, sample.direction));
   const float rounding = (Largest(from) + Largest(p)) * 4e-6f / (cosine + 0.001f);
   sample.distance = distance - rounding - distance * 1e-5f;
-  if (!(sample.distance > 0)) sample.pdf = 0;
+  if (!(sample.distance > 0) || !(cosine > kEdgeOn)) return sample;
+  sample.pdf = squared / (static_cast<float>(area) * cosine);
   return sample;
 }
 
 float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area) {
-  const Vec3d way = ToDouble(p) - ToDouble(from);
-  const double squared = LengthSquared(way);
-  const double height = std::abs(Dot(ToDouble(n), way));  // Distance times cosine.
-  const double distance = std::sqrt(squared);
+  const Vec3 way = p - from;
+  const float squared = LengthSquared(way);
+  const float distance = std::sqrt(squared);
+  const float height = std::abs(Dot(n, way));  // Distance times cosine.
   if (!(height > kEdgeOn * distance)) return 0;
-  return static_cast<float>(squared * distance / (area * height));
+  return squared * distance / (static_cast<float>(area) * height);
+}
+
+bool IsFar(Vec3 from, Vec3 p, float size) {
+  return LengthSquared(from - p) > 9 * size * size;
 }
 
 bool IsInPlane(Vec3 from, Vec3 p, Vec3 n, float size) {

@@ -34,6 +34,9 @@ class SurfaceSampler {
   /// Of one side.
   virtual double Area() const = 0;
 
+  /// The unit normal of a surface that lies in a plane; 0 for others.
+  virtual Vec3 FlatNormal() const { return {}; }
+
   virtual uint64_t MemoryBytes() const = 0;
 };
 
@@ -42,6 +45,10 @@ SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area);
 
 /// Its density over solid angle: distance squared / (area cosine); 0 for a point seen edge-on.
 float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+
+/// Whether a flat surface of the given size around `p` is seen so small that drawing it by area, in
+/// a fraction of the time, is as good as by solid angle: distance and cosine hardly vary.
+bool IsFar(Vec3 from, Vec3 p, float size);
 
 /// Whether a point lies in the plane through `p`, as well as single precision can tell. `size` is
 /// that of what lies in the plane.

@@ -38,4 +38,10 @@ SurfacePoint Triangle::SurfaceAt(const Ray&, const HitRecord& hit) const {
           normal_};
 }
 
+void Triangle::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
+  point->uv = {hit.u, hit.v};
+  point->dpdu = corners_[1] - corners_[0];
+  point->dpdv = corners_[2] - corners_[0];
+}
+
 }  // namespace candela

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "sampling/spherical_triangle.h"
 #include "sampling/warp.h"
 #include "shapes/surface_sampler.h"
@@ -6,21 +8,23 @@
 namespace candela {
 namespace {
 
-/// By solid angle; by area where the triangle is seen so small that both come to the same.
+/// By solid angle; by area from afar.
 class TriangleSampler final : public SurfaceSampler {
  public:
-  TriangleSampler(Vec3 a, Vec3 b, Vec3 c, Vec3 n) : a_(a), b_(b), c_(c), n_(n) {
+  TriangleSampler(Vec3 a, Vec3 b, Vec3 c, Vec3 n)
+      : a_(a), b_(b), c_(c), center_((a + b + c) * (1.0f / 3)), n_(n) {
     area_ = Length(TriangleCross(a, b, c)) / 2;
-    size_ = Length(b - a) + Length(c - a);
+    size_ = std::max({Length(b - a), Length(c - a), Length(c - b)});
   }
 
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
-    if (IsInPlane(from, a_, n_, size_)) return {};
-    const SphericalTriangle seen = SeenFrom(from);
-    if (!IsLarge(seen)) {
+    if (IsInPlane(from, center_, n_, size_)) return {};
+    if (IsFar(from, center_, size_)) {
       const Vec2 weights = SampleTriangle(u);
       return SampleByArea(from, TrianglePoint(a_, b_, c_, weights.x, weights.y), n_, area_);
     }
+    const SphericalTriangle seen = SeenFrom(from);
+    if (!(seen.SolidAngle() > kLeastAngle)) return {};
     // Where the direction meets the plane.
     const Vec3d w = seen.Sample(u), n = ToDouble(n_);
     const double t = Dot(n, ToDouble(a_) - ToDouble(from)) / Dot(n, w);
@@ -30,22 +34,26 @@ class TriangleSampler final : public SurfaceSampler {
   }
 
   float Pdf(Vec3 from, Vec3 p, Vec3) const override {
-    if (IsInPlane(from, a_, n_, size_)) return 0;
+    if (IsInPlane(from, center_, n_, size_)) return 0;
+    if (IsFar(from, center_, size_)) return PdfByArea(from, p, n_, area_);
     const SphericalTriangle seen = SeenFrom(from);
-    return IsLarge(seen) ? static_cast<float>(seen.Pdf()) : PdfByArea(from, p, n_, area_);
+    return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
   double Area() const override { return area_; }
+  Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
+  /// So little is seen edge-on, or of a sliver; rays find it.
+  static constexpr double kLeastAngle = 1e-6;
+
   SphericalTriangle SeenFrom(Vec3 from) const {
     const Vec3d origin = ToDouble(from);
     return {ToDouble(a_) - origin, ToDouble(b_) - origin, ToDouble(c_) - origin};
   }
-  static bool IsLarge(const SphericalTriangle& seen) { return seen.SolidAngle() > 1e-6; }
 
-  Vec3 a_, b_, c_, n_;
+  Vec3 a_, b_, c_, center_, n_;
   double area_;
   float size_;
 };

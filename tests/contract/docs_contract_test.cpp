@@ -12,6 +12,7 @@
 #include "materials/registry.h"
 #include "shapes/registry.h"
 #include "tests/support/temp_folder.h"
+#include "textures/registry.h"
 
 namespace candela {
 namespace {
@@ -34,6 +35,9 @@ TEST(SceneFormat, NamesEveryShape) {
 }
 TEST(SceneFormat, NamesEveryMaterial) {
   ExpectNamed(MaterialEntries(), "material");
+}
+TEST(SceneFormat, NamesEveryTexture) {
+  ExpectNamed(TextureEntries(), "texture");
 }
 TEST(SceneFormat, NamesEveryLight) {
   ExpectNamed(LightEntries(), "light");

@@ -27,7 +27,7 @@ using test::kLargestDeviate;
 using test::UniformNumbers;
 
 const Material& MaterialOf(const Scene& scene) {
-  return *scene.materials()[0];
+  return *scene.materials().back();
 }
 
 std::vector<MaterialEntry> Rows(bool are_physical) {

@@ -32,11 +32,14 @@ inline std::unique_ptr<const Scene> SceneOfShape(std::string_view example,
       kExampleFolder);
 }
 
-/// A scene whose only material `example` describes.
+/// A scene whose last material `example` describes, behind those that examples are made of.
 inline std::unique_ptr<const Scene> SceneOfMaterial(std::string_view example) {
-  return testing_support::CompileText(fmt::format("{}Materials {{ Material {{ {} }} }} Scene {{ }}",
-                                                  testing_support::kCamera, example),
-                                      kExampleFolder);
+  return testing_support::CompileText(
+      fmt::format("{}Materials {{ Material {{ name iron type conductor metal iron }}\n"
+                  "Material {{ name clay type diffuse roughness 0.7 }}\n"
+                  "Material {{ {} }} }} Scene {{ }}",
+                  testing_support::kCamera, example),
+      kExampleFolder);
 }
 
 /// A scene whose only light `example` describes, in the node of a sphere, should it need one.

@@ -226,6 +226,35 @@ TEST_P(EveryShape, ItsNormalAgreesWithFiniteDifferences) {
   EXPECT_GT(compared, 2000);
 }
 
+// A neighbour lies where the derivatives say by its texture coordinates, in the object.
+TEST_P(EveryShape, PointsMoveWithTheirTextureCoordinates) {
+  int compared = 0;
+  const auto plain = SceneOfShape(GetParam().example);
+  const Shape& shape = *plain->objects()[0].shape;
+  const auto textured_at = [&](const Ray& ray, const HitRecord& hit) {
+    SurfacePoint point = shape.SurfaceAt(ray, hit);
+    point.n_geometric = Normalize(point.n_geometric);
+    shape.AddTextureCoordinates(hit, &point);
+    return point;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Ray ray = RayTowards(shape);
+    Ray neighbour = ray;
+    neighbour.origin += SampleUniformSphere(random_.NextPair()) * 0.003f;
+    HitRecord hit, near;
+    if (!plain->Intersect(ray, &hit) || !plain->Intersect(neighbour, &near)) continue;
+    if (hit.primitive != near.primitive) continue;
+    const SurfacePoint a = textured_at(ray, hit), b = textured_at(neighbour, near);
+    const Vec3 moved = b.p - a.p;
+    const Vec2 d = b.uv - a.uv;
+    // Beyond an edge, on the far side, across the seam of the coordinates, or close to a pole.
+    if (Length(moved) > 0.02f || std::abs(d.x) > 0.01f || std::abs(d.y) > 0.01f) continue;
+    EXPECT_LE(Length(a.dpdu * d.x + a.dpdv * d.y - moved), 0.1f * Length(moved) + 1e-5f);
+    ++compared;
+  }
+  EXPECT_GT(compared, 2000);
+}
+
 // Distances do not change when the ray goes along with the object: t counts in units of the ray.
 TEST_P(EveryShape, GivesTheSameAnswerUnderAnAffineTransform) {
   const auto plain = SceneOfShape(GetParam().example);

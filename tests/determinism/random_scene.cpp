@@ -41,9 +41,9 @@ class Writer {
   std::string text_;
 };
 
-void AddCamera(Writer* writer) {
-  writer->Add("Camera {{ center 0 1 9 direction {:.3f} -0.1 -1 up 0 1 0 fov 40 }}\n",
-              writer->Number(-0.1, 0.1));
+void AddCamera(Writer* writer, const char* lens = "") {
+  writer->Add("Camera {{ center 0 1 9 direction {:.3f} -0.1 -1 up 0 1 0 fov 40 {} }}\n",
+              writer->Number(-0.1, 0.1), lens);
 }
 
 /// A plane below everything, a little tilted: in any other place it would hide the rest.
@@ -89,11 +89,28 @@ void AddNodes(Writer* writer, uint32_t materials) {
   writer->Add("}} }}\n");
 }
 
-void AddDirectionalLight(Writer* writer) {
+/// A rectangle, a disk and a triangle that shine, in one node that is turned and stretched.
+void AddFlatLamps(Writer* writer) {
+  writer->Add("Node {{ ");
+  AddTransform(writer);
+  const char* shapes[] = {"rectangle width 1 height 0.6", "disk radius 0.5",
+                          "triangle vertex0 0 0 0 vertex1 1 0 0 vertex2 0 1 0"};
+  for (const char* shape : shapes) {
+    writer->Add("\nNode {{ ");
+    AddTransform(writer);
+    writer->Add(
+        "Component<Material> {{ index 0 }} Component<Object> {{ type {} }} "
+        "Component<Light> {{ type area radiance 4 3 2 two_sided {} }} }}",
+        shape, writer->Below(2) == 0 ? "true" : "false");
+  }
+  writer->Add(" }}\n");
+}
+
+void AddDirectionalLight(Writer* writer, const char* angle = "") {
   writer->Add("Node {{ Component<Light> {{ type directional ");
   writer->Add("direction {:.3f} -1 -0.7 ", writer->Number(-0.8, 0.8));
   writer->AddVector("color", 0.2, 0.9);
-  writer->Add("}} }}\n");
+  writer->Add("{} }} }}\n", angle);
 }
 
 }  // namespace
@@ -127,19 +144,32 @@ std::string RandomScene(uint32_t seed) {
 
 std::string RandomDiffuseScene(uint32_t seed) {
   Writer writer(seed);
-  writer.Add("Background {{ color 0.3 0.3 0.4 ambient_light 0 0 0 }}\n");
-  AddCamera(&writer);
-  constexpr uint32_t kMaterials = 3;
+  // Every kind of light and of surface that the path integrator knows, some in each scene.
+  if (seed % 3 == 0) {
+    writer.Add("Background {{ environment assets/environments/sky.hdr rotate {} }}\n", seed * 40);
+  } else {
+    writer.Add("Background {{ color 0.3 0.3 0.4 ambient_light 0 0 0 }}\n");
+  }
+  AddCamera(&writer, seed % 2 == 1 ? "aperture 0.3 focus_distance 9 blades 5" : "");
+  constexpr uint32_t kMaterials = 6;
   writer.Add("Materials {{\n");
-  for (uint32_t i = 0; i < kMaterials; ++i) {
+  for (uint32_t i = 0; i < kMaterials / 2; ++i) {
     writer.Add("Material {{ type diffuse ");
     writer.AddVector("albedo", 0.1, 0.9);
     writer.Add("}}\n");
   }
+  writer.Add(
+      "Material {{ type mirror }}\nMaterial {{ type conductor metal gold roughness 0.3 }}\n");
+  writer.Add("Material {{ type dielectric ior 1.5 roughness {} }}\n", seed % 4 == 0 ? 0 : 0.4);
   writer.Add("}}\nScene {{\n");
   AddFloor(&writer);
   for (int i = 0; i < 4; ++i) AddNodes(&writer, kMaterials);
-  AddDirectionalLight(&writer);
+  AddDirectionalLight(&writer, seed % 2 == 0 ? "angle 3" : "");
+  AddFlatLamps(&writer);
+  writer.Add(
+      "Node {{ Transform {{ translate -2 4 2 }} Component<Light> {{ type spot direction 0.3 -1 "
+      "-0.4 "
+      "angle 50 attenuation 0.05 }} }}\n");
   writer.Add(
       "Node {{ Transform {{ translate 1 3 2 }} Component<Material> {{ index 0 }} "
       "Component<Object> {{ type sphere radius 0.6 }} "

@@ -15,6 +15,7 @@
 #include "scene/compile_scene.h"
 #include "shapes/registry.h"
 #include "tests/docs/markdown.h"
+#include "textures/registry.h"
 
 namespace candela::docs {
 namespace {
@@ -82,6 +83,9 @@ TEST(SceneFormat, EverythingThatScenesMayNameHasItsHeadline) {
     EXPECT_THAT(manual, HasSubstr(fmt::format("\n### `{}`\n", entry.name)));
   }
   for (const auto& entry : MaterialEntries()) {
+    EXPECT_THAT(manual, HasSubstr(fmt::format("\n### `{}`\n", entry.name)));
+  }
+  for (const auto& entry : TextureEntries()) {
     EXPECT_THAT(manual, HasSubstr(fmt::format("\n### `{}`\n", entry.name)));
   }
   for (const auto& entry : IntegratorEntries()) {

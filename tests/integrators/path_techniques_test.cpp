@@ -1,6 +1,7 @@
 // What changes the variance of path tracing must not change its mean: sampled lights or rays alone,
 // weights, the choice of lights, Russian roulette.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -168,6 +169,36 @@ TEST(Roulette, DoesNotChangeTheMean) {
   PathTechniques none;
   none.roulette = false;
   ExpectSame(With(*scene, {}, 8192, 12), With(*scene, none, 8192, 12));
+}
+
+/// The still life and its lamps with everything, the camera included, moved and scaled.
+std::unique_ptr<const Scene> Placed(Vec3 to, float scale) {
+  const std::string scene = StillLife("", kLamps);
+  const size_t materials = scene.find("Materials"), body = scene.find("Scene {") + 7;
+  const Vec3 eye = to + Vec3{0, 1, 4} * scale;
+  const auto text = fmt::format(
+      "Camera {{ center {} {} {} direction 0 -0.2 -1 up 0 1 0 fov 60 }}\n{} "
+      "Node {{ Transform {{ translate {} {} {} scale {} {} {} }} {} }}",
+      eye.x, eye.y, eye.z, scene.substr(materials, body - materials), to.x, to.y, to.z, scale,
+      scale, scale, scene.substr(body));
+  return CompileText(text);
+}
+
+// Radiance does not depend on where a scene is: neither do the ends of shadow rays, which have to
+// stop before the lamp. The same with rays alone, since those know of no such ends.
+TEST(NextEventEstimation, OfASceneFarAwayDoesNotChangeTheMean) {
+  const auto expected = With(*Placed({0, 0, 0}, 1), {});
+  const auto far = Placed({3000, -1000, 2000}, 1);
+  ExpectSame(expected, With(*far, RaysAlone(), 16384));
+  ExpectSame(With(*far, {}), With(*far, RaysAlone(), 16384));
+}
+
+// What absorbs counts in lengths, so here both sides are of the same size.
+TEST(NextEventEstimation, OfATinyOrHugeSceneDoesNotChangeTheMean) {
+  for (const float scale : {1e-4f, 1e4f}) {
+    const auto scene = Placed({scale, scale, scale}, scale);
+    ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
+  }
 }
 
 // On a floor under a small lamp the difference is what next-event estimation is for.

@@ -8,6 +8,9 @@
 #include "lights/area_light.h"
 #include "lights/directional_light.h"
 #include "lights/point_light.h"
+#include "lights/spot_light.h"
+#include "math/elementary.h"
+#include "shapes/disk.h"
 #include "tests/sampling/chi_square.h"
 
 namespace candela {
@@ -79,6 +82,30 @@ TEST(LightPicker, PrefersWhatIsNear) {
   const LightPicker picker(std::vector<const Light*>{&left, &right}, 1, LightChoice::kByEffect);
   EXPECT_FLOAT_EQ(picker.Probability({0, 5, 0}, 0), 0.5f);
   EXPECT_FLOAT_EQ(picker.Probability({0.5f, 0, 0}, 1), 0.8f * 0.9f + 0.2f * 0.5f);
+}
+
+/// Far enough from both, it is by the beam that they differ.
+TEST(LightPicker, LeavesASpotOutOfWhoseBeamThePointIs) {
+  const PointLight all_around({0, 0, 0}, {1, 1, 1}, 1);
+  const SpotLight spot({0, 0, 0}, {{0, 0, -1}, 0.95f, 0.9f}, {1, 1, 1}, 1);
+  const LightPicker picker(std::vector<const Light*>{&all_around, &spot}, 1,
+                           LightChoice::kByEffect);
+  EXPECT_FLOAT_EQ(picker.Probability({0, 0, -5}, 1), 0.5f);
+  EXPECT_FLOAT_EQ(picker.Probability({0, 4, -3}, 1), 0.1f) << "every light keeps a part";
+}
+
+// A lamp of one side is left out behind it, and fades towards its plane; the ball around it blurs
+// that.
+TEST(LightPicker, KnowsWhichWayAFlatLampShines) {
+  const Disk disk(0.01f);
+  const PointLight other({0, 0, 0}, {1, 1, 1}, 1);
+  AreaLight lamp(Spectrum(10000 / static_cast<float>(kPi)),
+                 false);  // Intensity 1 along its normal.
+  lamp.SetSurface(disk.MakeSampler(Transform(), Transform()), {}, 0.01f);
+  const LightPicker picker(std::vector<const Light*>{&other, &lamp}, 1, LightChoice::kByEffect);
+  EXPECT_NEAR(picker.Probability({0, 0, 5}, 1), 0.5f, 1e-3);
+  EXPECT_NEAR(picker.Probability({3, 0, 4}, 1), 0.8f * 0.8f / 1.8f + 0.1f, 1e-3);
+  EXPECT_FLOAT_EQ(picker.Probability({0, 0, -5}, 1), 0.1f);
 }
 
 TEST(LightPicker, HasNothingToChooseFromInTheDark) {

@@ -43,46 +43,53 @@ void ExpectWhite(const Material& material, double tolerance, bool is_outside = t
 }
 
 /// A metal that absorbs nothing.
-ConductorMaterial WhiteMetal(Ggx surface, float rotation_degrees = 0) {
+ConductorMaterial WhiteMetal(float alpha) {
+  return {{0, 0, 0}, {3, 3, 3}, Roughness::OfAlpha(alpha)};
+}
+ConductorMaterial BrushedWhiteMetal(Ggx surface, float rotation_degrees = 0) {
   return {{0, 0, 0}, {3, 3, 3}, surface, rotation_degrees};
 }
 
+DielectricMaterial Glass(float ior, float alpha) {
+  return {ior, Roughness::OfAlpha(alpha), {}};
+}
+
 TEST(WhiteFurnace, MirrorAndSmoothGlassLoseNothing) {
-  ExpectWhite(MirrorMaterial({1, 1, 1}), 1e-6);
-  ExpectWhite(WhiteMetal({0, 0}), 1e-6);
+  ExpectWhite(MirrorMaterial(Rgb{1, 1, 1}), 1e-6);
+  ExpectWhite(WhiteMetal(0), 1e-6);
   for (const bool is_outside : {true, false}) {
-    ExpectWhite(DielectricMaterial(1.5f, 0, {}), 1e-6, is_outside);
+    ExpectWhite(Glass(1.5f, 0), 1e-6, is_outside);
     ExpectWhite(PaneMaterial(1.5f, {}), 1e-6, is_outside);
   }
 }
 
 TEST(WhiteFurnace, DiffuseLosesNothingHoweverRough) {
   for (const float roughness : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
-    ExpectWhite(DiffuseMaterial({1, 1, 1}, roughness), 1e-5);
+    ExpectWhite(DiffuseMaterial(Rgb{1, 1, 1}, roughness), 1e-5);
   }
 }
 
 TEST(WhiteFurnace, RoughMetalLosesNothing) {
-  for (const float alpha : kAlphas) ExpectWhite(WhiteMetal({alpha, alpha}), 2e-3);
+  for (const float alpha : kAlphas) ExpectWhite(WhiteMetal(alpha), 2e-3);
 }
 
 TEST(WhiteFurnace, BrushedMetalLosesNothing) {
-  ExpectWhite(WhiteMetal({0.5f, 0.1f}, 30), 2e-3);
-  ExpectWhite(WhiteMetal({0.05f, 0.9f}), 2e-3);
+  ExpectWhite(BrushedWhiteMetal({0.5f, 0.1f}, 30), 2e-3);
+  ExpectWhite(BrushedWhiteMetal({0.05f, 0.9f}), 2e-3);
 }
 
 TEST(WhiteFurnace, GroundGlassLosesNothingFromEitherSide) {
   for (const float alpha : kAlphas) {
-    ExpectWhite(DielectricMaterial(1.5f, alpha, {}), 3e-3, true);
-    ExpectWhite(DielectricMaterial(1.5f, alpha, {}), 3e-3, false);
+    ExpectWhite(Glass(1.5f, alpha), 3e-3, true);
+    ExpectWhite(Glass(1.5f, alpha), 3e-3, false);
   }
-  ExpectWhite(DielectricMaterial(2.417f, 0.3f, {}), 3e-3, true);
-  ExpectWhite(DielectricMaterial(2.417f, 0.3f, {}), 3e-3, false);
+  ExpectWhite(Glass(2.417f, 0.3f), 3e-3, true);
+  ExpectWhite(Glass(2.417f, 0.3f), 3e-3, false);
 }
 
 TEST(WhiteFurnace, WhitePlasticLosesNothing) {
   for (const float alpha : {0.0f, 0.01f, 0.1f, 0.25f, 0.5f, 1.0f}) {
-    ExpectWhite(PlasticMaterial({1, 1, 1}, 1.5f, alpha), 2e-3);
+    ExpectWhite(PlasticMaterial(Rgb{1, 1, 1}, 1.5f, Roughness::OfAlpha(alpha)), 2e-3);
   }
 }
 
@@ -122,6 +129,20 @@ TEST(RoughMetal, OneBounceGivesBackTheAlbedoOfGgx) {
   }
 }
 
+// Rows for all roughnesses stand between those of each.
+TEST(RoughMetal, TableOfAllRoughnessesAgreesWithThoseOfEach) {
+  const EnergyTable all = EnergyTable::OfAllRoughness(MirrorFacet);
+  for (const float roughness : {0.25f, 0.37f, 0.5f, 0.77f, 0.9f, 1.0f}) {
+    const float alpha = roughness * roughness;
+    const EnergyTable one = EnergyTable::OfRoughness(alpha, MirrorFacet);
+    const float row = EnergyTable::RowOfRoughness(alpha);
+    EXPECT_NEAR(all.Mean(row), one.Mean(0), 1e-3) << roughness;
+    for (const float cosine : {0.01f, 0.1f, 0.3f, 0.7f, 1.0f}) {
+      EXPECT_NEAR(all.At(cosine, row), one.At(cosine, 0), 3e-3) << roughness << " at " << cosine;
+    }
+  }
+}
+
 // (n + 2) / 2 pi is the factor with which the lobe head-on gives back its weight, for any n.
 TEST(NormalisedPhong, HeadOnItReflectsItsSpecularColour) {
   UniformNumbers random(5);
@@ -141,8 +162,8 @@ TEST(Energy, NoMaterialMakesLight) {
   std::unique_ptr<Material> materials[] = {
       std::make_unique<DiffuseMaterial>(Rgb{0.9f, 0.5f, 0.1f}, 0.7f),
       std::make_unique<ConductorMaterial>(Rgb{0.14f, 0.37f, 1.44f}, Rgb{3.98f, 2.39f, 1.6f},
-                                          Ggx{0.4f, 0.4f}, 0.0f),
-      std::make_unique<PlasticMaterial>(Rgb{0.9f, 0.5f, 0.1f}, 1.5f, 0.2f),
+                                          Roughness::OfAlpha(0.4f)),
+      std::make_unique<PlasticMaterial>(Rgb{0.9f, 0.5f, 0.1f}, 1.5f, Roughness::OfAlpha(0.2f)),
       std::make_unique<PaneMaterial>(1.5f, Rgb{0, 0.5f, 1}),
       std::make_unique<PhongMaterial>(PhongTerms{{}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.4f, 0.3f}, 30},
                                       true)};

@@ -35,12 +35,9 @@ struct Family {
 };
 
 std::vector<Family> Families() {
-  const auto gold = [](Ggx surface, float rotation) {
-    return std::make_unique<ConductorMaterial>(Rgb{0.14f, 0.37f, 1.44f}, Rgb{3.98f, 2.39f, 1.6f},
-                                               surface, rotation);
-  };
+  const Rgb eta{0.14f, 0.37f, 1.44f}, k{3.98f, 2.39f, 1.6f};
   const auto glass = [](float r) {
-    return std::make_unique<DielectricMaterial>(1.5f, r * r, Rgb());
+    return std::make_unique<DielectricMaterial>(1.5f, Roughness::OfAlpha(r * r), Rgb());
   };
   return {
       {"Diffuse",
@@ -53,22 +50,23 @@ std::vector<Family> Families() {
          return std::make_unique<PhongMaterial>(terms, true);
        }},
       {"Conductor",
-       [gold](float r) {
-         return gold({r * r, r * r}, 0);
+       [=](float r) {
+         return std::make_unique<ConductorMaterial>(eta, k, Roughness::OfAlpha(r * r));
        }},
       {"BrushedConductor",
-       [gold](float r) {
-         return gold({r * r, 0.3f * r * r + 0.1f}, 25);
+       [=](float r) {
+         return std::make_unique<ConductorMaterial>(eta, k, Ggx{r * r, 0.3f * r * r + 0.1f}, 25.0f);
        }},
       {"GlassFromOutside", glass},
       {"GlassFromInside", glass, false},
       {"Plastic",
        [](float r) {
-         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, r * r);
+         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f,
+                                                  Roughness::OfAlpha(r * r));
        }},
       {"PolishedPlastic",
        [](float) {
-         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, 0.0f);
+         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, Roughness());
        }},
   };
 }

@@ -7,6 +7,7 @@
 
 #include "materials/dielectric.h"
 #include "materials/diffuse.h"
+#include "materials/mirror.h"
 #include "materials/phong.h"
 #include "materials/registry.h"
 #include "math/elementary.h"
@@ -31,7 +32,15 @@ std::unique_ptr<Material> Create(const std::string& type, const std::string& tex
       spec.params.params.back().words.push_back({word, {}});
     }
   }
-  return CreateMaterial(spec, diagnostics);
+  static const DiffuseMaterial kWhite(Rgb{1, 1, 1});
+  static const MirrorMaterial kMirror(Rgb{1, 1, 1});
+  MaterialContext context;
+  context.diagnostics = diagnostics;
+  context.find_material = [&](std::string_view name, const SourceLocation&) -> const Material* {
+    if (name == "white") return &kWhite;
+    return name == "mirror" ? &kMirror : nullptr;
+  };
+  return CreateMaterial(spec, context);
 }
 
 PhongTerms TermsOf(const std::string& text) {
@@ -73,7 +82,7 @@ TEST(Phong, IsPhysicalWithoutHighlightAndWithAnAlbedo) {
 }
 
 TEST(Diffuse, IsForWhittedTheSamePhongSurface) {
-  const PhongTerms terms = DiffuseMaterial({0.5f, 0.25f, 1}).Phong({});
+  const PhongTerms terms = DiffuseMaterial(Rgb{0.5f, 0.25f, 1}).Phong({});
   EXPECT_EQ(terms.diffuse, (Rgb{0.5f, 0.25f, 1}));
   EXPECT_EQ(terms.ambient, (Rgb{0.5f, 0.25f, 1}));
   EXPECT_EQ(terms.specular, (Rgb{0, 0, 0}));
@@ -136,7 +145,7 @@ TEST(Dielectric, CarriesRadianceIntoGlass) {
   Bsdf bsdf;
   SurfacePoint point;
   point.n_shading = {0, 0, 1};
-  DielectricMaterial(1.5f, 0, {}).Evaluate(point, &bsdf);
+  DielectricMaterial(1.5f, Roughness(), {}).Evaluate(point, &bsdf);
   const BsdfSample sample = Sample(bsdf, {0, 0, 1}, {0.5f, 0.5f});
   EXPECT_TRUE(sample.is_delta);
   EXPECT_TRUE(sample.is_transmission);
@@ -175,6 +184,58 @@ TEST(Bsdf, OfAMirrorHasNoSmoothPart) {
   EXPECT_EQ(Pdf(bsdf, {0, 0, 1}, {0, 0, 1}), 0.0f);
 }
 
+// A quarter of the surface is a mirror: so much of the light goes there, and of the samples.
+TEST(Mix, GivesEachPartItsShare) {
+  Diagnostics diagnostics;
+  const auto mix = Create("mix", "first white second mirror amount 0.25", &diagnostics);
+  ASSERT_THAT(diagnostics.Lines(), IsEmpty());
+  Bsdf bsdf;
+  mix->Evaluate({}, &bsdf);
+  const Vec3 wo = {0.6f, 0, 0.8f}, wi = {0, 0.6f, 0.8f};
+  EXPECT_FLOAT_EQ(Eval(bsdf, wo, wi)[0], static_cast<float>(0.75 / kPi));
+  EXPECT_FLOAT_EQ(Pdf(bsdf, wo, wi), static_cast<float>(0.75 * 0.8 / kPi));
+  const BsdfSample mirrored = Sample(bsdf, wo, {0.8f, 0.5f});
+  EXPECT_TRUE(mirrored.is_delta);
+  EXPECT_FLOAT_EQ(mirrored.pdf, 0.25f);
+  EXPECT_FLOAT_EQ(mirrored.weight[1], 1);
+  EXPECT_FLOAT_EQ(Sample(bsdf, wo, {0.3f, 0.5f}).weight[2], 1);
+  const PhongTerms terms = mix->Phong({});
+  EXPECT_EQ(terms.diffuse, (Rgb{0.75f, 0.75f, 0.75f}));
+  EXPECT_EQ(terms.specular, (Rgb{0.25f, 0.25f, 0.25f}));
+}
+
+TEST(Mix, NeedsBothParts) {
+  EXPECT_THAT(ProblemsOf("mix", "first white"), ElementsAre(HasSubstr("'mix' needs 'second'")));
+  EXPECT_THAT(ProblemsOf("mix", "first white second mirror amount 2"),
+              ElementsAre(HasSubstr("'amount' expects a number from 0 to 1")));
+}
+
+// Light goes straight through the holes.
+TEST(Mask, LetsLightThroughItsHoles) {
+  Diagnostics diagnostics;
+  const auto mask = Create("mask", "material white opacity 0.25", &diagnostics);
+  ASSERT_THAT(diagnostics.Lines(), IsEmpty());
+  Bsdf bsdf;
+  mask->Evaluate({}, &bsdf);
+  const Vec3 wo = {0.6f, 0, 0.8f};
+  const BsdfSample through = Sample(bsdf, wo, {0.8f, 0.5f});
+  EXPECT_TRUE(through.is_delta);
+  EXPECT_TRUE(through.is_transmission);
+  EXPECT_EQ(through.wi, -wo);
+  EXPECT_FLOAT_EQ(through.pdf, 0.75f);
+  EXPECT_FLOAT_EQ(through.weight[0], 1);
+  EXPECT_EQ(through.eta, 1);
+  EXPECT_FLOAT_EQ(Eval(bsdf, wo, {0, 0, 1})[0], static_cast<float>(0.25 / kPi));
+}
+
+TEST(Mask, OfFullOpacityIsTheMaterial) {
+  Diagnostics diagnostics;
+  Bsdf bsdf;
+  Create("mask", "material mirror", &diagnostics)->Evaluate({}, &bsdf);
+  EXPECT_EQ(bsdf.count, 1);
+  EXPECT_FALSE(bsdf.HasSmoothPart());
+}
+
 TEST(Bsdf, OfAnEmptyListIsBlack) {
   const Bsdf bsdf;
   EXPECT_TRUE(Eval(bsdf, {0, 0, 1}, {0, 0, 1}).IsBlack());
@@ -185,7 +246,7 @@ TEST(Bsdf, OfAnEmptyListIsBlack) {
 // rho / pi in all directions of the upper side; nothing below.
 TEST(Bsdf, LambertIsTheAlbedoOverPi) {
   Bsdf bsdf;
-  DiffuseMaterial({0.5f, 0.25f, 1}).Evaluate({}, &bsdf);
+  DiffuseMaterial(Rgb{0.5f, 0.25f, 1}).Evaluate({}, &bsdf);
   const Rgb value = Eval(bsdf, {0, 0, 1}, {0.6f, 0, 0.8f}).ToRgb();
   EXPECT_FLOAT_EQ(value.x, static_cast<float>(0.5 / kPi));
   EXPECT_FLOAT_EQ(value.y, static_cast<float>(0.25 / kPi));

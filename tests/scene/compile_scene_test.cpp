@@ -5,6 +5,8 @@
 
 #include "loaders/course/scene_parser.h"
 
+#include "tests/support/compile_text.h"
+
 namespace candela {
 namespace {
 
@@ -48,6 +50,29 @@ std::pair<uint32_t, float> FirstHit(const Scene& scene, float x, float y) {
   HitRecord hit;
   if (!scene.Intersect({{x, y, 10}, {0, 0, -1}}, &hit)) return {99, 0};
   return {hit.object, hit.t};
+}
+
+// Both see the same place of the picture: the right half of a floor of squares.
+TEST(CompileScene, TexturesColourWhatBothIntegratorsSee) {
+  const auto scene = testing_support::CompileText(
+      "Camera { center 0 5 0 direction 0 -1 0 up 0 0 -1 fov 30 }\n"
+      "Textures { Texture { name red type constant color 1 0 0 }\n"
+      "  Texture { name squares type checker even texture red odd 0 1 0 } }\n"
+      "Materials { Material { type diffuse albedo texture squares } Material { } }\n"
+      "Scene { Transform { translate 10 0 0 }\n"
+      "  Component<Object> { type plane normal 0 1 0 offset 0 } Component<Material> { index 0 }\n"
+      "  Node { Component<Object> { type sphere radius 0.1 } Component<Material> { index 1 } } }");
+  EXPECT_TRUE(scene->objects()[0].is_textured);
+  EXPECT_FALSE(scene->objects()[1].is_textured);
+  for (const auto& [x, colour] : {std::pair{10.5f, Rgb{1, 0, 0}}, std::pair{11.5f, Rgb{0, 1, 0}}}) {
+    const Ray ray({x, 5, -0.5f}, {0, -1, 0});
+    HitRecord hit;
+    ASSERT_TRUE(scene->Intersect(ray, &hit));
+    const Material& material = scene->material(hit);
+    EXPECT_EQ(material.Phong(scene->ShadingAt(ray, hit)).diffuse, colour);
+    EXPECT_EQ(material.Phong(scene->SurfaceAt(ray, hit)).diffuse, colour);
+    EXPECT_EQ(scene->SurfaceAt(ray, hit).dpdu, (Vec3{1, 0, 0}));
+  }
 }
 
 TEST(CompileScene, TransformsOfParentsAndChildrenCompose) {

@@ -36,6 +36,35 @@ SurfacePoint SurfaceSeenBy(const Mesh& mesh, const Ray& ray) {
   return mesh.SurfaceAt(ray, hit);
 }
 
+TEST(Mesh, BlendsTheTextureCoordinatesOfItsCorners) {
+  MeshSpec spec = Corner(1);
+  spec.uvs = {{0, 0}, {4, 0}, {0, 2}};
+  spec.uv_corners = {{0, 1, 2}, {0, MeshSpec::kNoUv, 1}};
+  const Mesh mesh = MeshOf(std::move(spec));
+  const Ray ray({0.5f, 0.25f, 1}, {0, 0, -1});
+  HitRecord hit;
+  ASSERT_TRUE(mesh.Intersect(ray, &hit));
+  SurfacePoint point = mesh.SurfaceAt(ray, hit);
+  mesh.AddTextureCoordinates(hit, &point);
+  EXPECT_EQ(point.uv, (Vec2{1, 0.5f}));
+  EXPECT_EQ(point.dpdu, (Vec3{0.5f, 0, 0}));
+  EXPECT_EQ(point.dpdv, (Vec3{0, 0.5f, 0}));
+}
+
+TEST(Mesh, OfATriangleWithoutThemTheyArePlacesInIt) {
+  MeshSpec spec = Corner(1);
+  spec.uvs = {{7, 7}};
+  spec.uv_corners = {{0, 0, MeshSpec::kNoUv}, {0, 0, 0}};
+  const Mesh mesh = MeshOf(std::move(spec));
+  SurfacePoint point;
+  HitRecord hit;
+  hit.primitive = 0;
+  hit.u = 0.25f;
+  hit.v = 0.5f;
+  mesh.AddTextureCoordinates(hit, &point);
+  EXPECT_EQ(point.uv, (Vec2{0.25f, 0.5f}));
+}
+
 TEST(Mesh, WithoutTrianglesIsNeverHit) {
   const Mesh mesh = MeshOf({});
   HitRecord hit;

@@ -103,6 +103,27 @@ TEST(SphereIntersect, RaysThatAreNoRaysMiss) {
   EXPECT_FALSE(Sphere(1).Intersect(Ray({kNaN, 0, 5}, {0, 0, -1}), &hit));
 }
 
+// Like a globe: the middle of the picture at +z, its right half towards +x, its upper one towards
+// +y.
+TEST(SphereSurface, IsAGlobeOfTextureCoordinates) {
+  const struct {
+    Vec3 from;
+    Vec2 uv;
+  } cases[] = {{{0, 0, 9}, {0.5f, 0.5f}},
+               {{9, 0, 0}, {0.75f, 0.5f}},
+               {{-9, 0, 0}, {0.25f, 0.5f}},
+               {{0, 9, 0}, {0.5f, 1}},
+               {{0, -9, 0}, {0.5f, 0}}};
+  for (const auto& [from, uv] : cases) {
+    HitRecord hit;
+    ASSERT_TRUE(Sphere(2).Intersect(Ray(from, -from), &hit));
+    SurfacePoint point = Sphere(2).SurfaceAt(Ray(from, -from), hit);
+    Sphere(2).AddTextureCoordinates(hit, &point);
+    EXPECT_NEAR(point.uv.x, uv.x, 1e-6);
+    EXPECT_NEAR(point.uv.y, uv.y, 1e-6);
+  }
+}
+
 TEST(SphereSurface, TheNormalPointsOutwardsFromInsideToo) {
   const Sphere sphere(2);
   const Ray ray({0, 0, 0}, {3, 0, 0});

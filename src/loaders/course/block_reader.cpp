@@ -20,7 +20,7 @@ bool IsOneOf(std::span<const std::string_view> words, std::string_view word) {
 
 bool IsBlockWord(std::string_view word) {
   return IsOneOf(kSectionWords, word) || IsOneOf(kMaterialsWords, word) ||
-         IsOneOf(kNodeWords, word);
+         IsOneOf(kTexturesWords, word) || IsOneOf(kNodeWords, word);
 }
 
 bool IsDigit(char c) {
@@ -84,7 +84,7 @@ Token BlockReader::NextItem(const Token* opener, std::span<const std::string_vie
   }
 }
 
-ParamSet BlockReader::ReadParams(const Token& opener, Repeats repeats) {
+ParamSet BlockReader::ReadParams(const Token& opener, Repeats repeats, Textures textures) {
   ParamSet set;
   std::set<std::string_view> names;
   const bool is_open = OpenBlock(opener);
@@ -111,19 +111,27 @@ ParamSet BlockReader::ReadParams(const Token& opener, Repeats repeats) {
           tokens_.Where(next),
           fmt::format("{} is given once more; the last one counts", Quote(next.text)));
     }
-    set.params.push_back(ReadParam());
+    set.params.push_back(ReadParam(textures));
   }
 }
 
 /// Reads a parameter whose name comes next.
-Param BlockReader::ReadParam() {
+Param BlockReader::ReadParam(Textures textures) {
   const Token name = tokens_.Next();
   Param param{std::string(name.text), tokens_.Where(name), {}};
   const auto take_word = [&] {
     const Token token = tokens_.Next();
     param.words.push_back({std::string(token.text), tokens_.Where(token)});
   };
-  if (tokens_.Peek().IsWord() && !tokens_.PeekSecond().IsOpenBrace()) take_word();
+  const auto is_word_due = [&] {
+    return tokens_.Peek().IsWord() && !tokens_.PeekSecond().IsOpenBrace();
+  };
+  if (is_word_due()) take_word();
+  // What these are is a word itself, which may well be 'texture'.
+  constexpr std::string_view kWordParams[] = {"name", "type", "file"};
+  const bool names_texture = textures == Textures::kByName && !param.words.empty() &&
+                             param.words[0].text == "texture" && !IsOneOf(kWordParams, name.text);
+  if (names_texture && is_word_due() && !LooksNumeric(tokens_.Peek())) take_word();
   while (LooksNumeric(tokens_.Peek())) take_word();
   return param;
 }

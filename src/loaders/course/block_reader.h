@@ -20,6 +20,9 @@ class BlockReader {
   /// Whether a block may hold two parameters of one name in earnest.
   enum class Repeats { kLegal, kOdd };
 
+  /// Whether `texture` behind the name of a parameter announces the name of one.
+  enum class Textures { kNone, kByName };
+
   BlockReader(Tokenizer* tokens, Diagnostics* diagnostics)
       : tokens_(*tokens), diagnostics_(*diagnostics) {}
 
@@ -34,8 +37,9 @@ class BlockReader {
   Token NextItem(const Token* opener, std::span<const std::string_view> accepted);
 
   /// Reads the block that `opener` announces: its braces and `name value ...` in between. A value
-  /// is a run of numbers, or a word with such a run behind it.
-  ParamSet ReadParams(const Token& opener, Repeats repeats = Repeats::kOdd);
+  /// is a run of numbers, or a word with such a run behind it, or a texture.
+  ParamSet ReadParams(const Token& opener, Repeats repeats = Repeats::kOdd,
+                      Textures textures = Textures::kNone);
 
   /// True once the file has ended inside a block or a section could not be read, which was
   /// reported: a section that is missing is then no mistake of its own.
@@ -43,7 +47,7 @@ class BlockReader {
 
  private:
   void EndsWithoutBrace(const Token& opener);
-  Param ReadParam();
+  Param ReadParam(Textures textures);
   void NoParam();
   void SkipBlock();
 

@@ -41,7 +41,9 @@ class Parser {
     for (Token word = NextSection(); !word.IsEnd(); word = NextSection()) ParseSection(word);
     // Materials that nobody can find may be what was not understood.
     if (!have_materials_ && diagnostics_.HasErrors()) scene_.materials_are_damaged = true;
-    CheckMaterialNames();
+    if (!have_textures_ && diagnostics_.HasErrors()) scene_.textures_are_damaged = true;
+    CheckNames(scene_.materials, "material");
+    CheckNames(scene_.textures, "texture");
     ReadCamera();
     ReadBackground();
     if (scene_.nodes.empty() && !blocks_.HasLostSections()) {
@@ -65,6 +67,10 @@ class Parser {
       WarnIfRepeated(have_materials_, word);
       have_materials_ = true;
       ParseMaterials(word);
+    } else if (word.text == "Textures") {
+      WarnIfRepeated(have_textures_, word);
+      have_textures_ = true;
+      ParseTextures(word);
     } else {
       WarnIfRepeated(!scene_.nodes.empty(), word);
       scene_.nodes = NodeParser(&tokens_, &blocks_, &diagnostics_).Parse(word);
@@ -99,26 +105,60 @@ class Parser {
 
   void ParseMaterial(const Token& word) {
     const SourceLocation where = tokens_.Where(word);
-    ParamSet params = blocks_.ReadParams(word);
+    ParamSet params = ReadNamedBlock(word);
     MaterialSpec material;
-    ParamReader reader(params, word.text, where, &diagnostics_);
-    if (reader.Has("name")) {
-      material.name = reader.Word("name");
-      material.name_where = reader.Where("name");
-      std::erase_if(params.params, [](const Param& param) { return param.name == "name"; });
-    }
+    TakeName(where, word, &params, &material);
     material.material = TakeType(std::move(params), where, word.text, "phong", &diagnostics_);
     scene_.materials.push_back(std::move(material));
   }
 
-  void CheckMaterialNames() {
-    std::map<std::string_view, const MaterialSpec*> by_name;
-    for (const MaterialSpec& material : scene_.materials) {
-      if (material.name.empty()) continue;
-      const MaterialSpec* first = by_name.try_emplace(material.name, &material).first->second;
-      if (first == &material) continue;
-      diagnostics_.Error(material.name_where, [&] {
-        return fmt::format("a material named {} stands in line {} already", Quote(material.name),
+  void ParseTextures(const Token& opener) {
+    scene_.textures.clear();
+    const size_t errors_before = diagnostics_.ErrorCount();
+    blocks_.OpenBlock(opener);
+    for (Token word = blocks_.NextItem(&opener, kTexturesWords); word.IsWord();
+         word = blocks_.NextItem(&opener, kTexturesWords)) {
+      ParseTexture(word);
+    }
+    scene_.textures_are_damaged = diagnostics_.ErrorCount() > errors_before;
+  }
+
+  void ParseTexture(const Token& word) {
+    const SourceLocation where = tokens_.Where(word);
+    ParamSet params = ReadNamedBlock(word);
+    TextureSpec texture;
+    TakeName(where, word, &params, &texture);
+    if (texture.name.empty() && !params.is_damaged) {
+      diagnostics_.Error(where, "'Texture' needs 'name'");
+    }
+    texture.texture = TakeType(std::move(params), where, word.text, "", &diagnostics_);
+    scene_.textures.push_back(std::move(texture));
+  }
+
+  ParamSet ReadNamedBlock(const Token& word) {
+    return blocks_.ReadParams(word, BlockReader::Repeats::kOdd, BlockReader::Textures::kByName);
+  }
+
+  /// Moves the name of a block out of its parameters.
+  template <class NamedSpec>
+  void TakeName(const SourceLocation& where, const Token& word, ParamSet* params,
+                NamedSpec* named) {
+    ParamReader reader(*params, word.text, where, &diagnostics_);
+    if (!reader.Has("name")) return;
+    named->name = reader.Word("name");
+    named->name_where = reader.Where("name");
+    std::erase_if(params->params, [](const Param& param) { return param.name == "name"; });
+  }
+
+  template <class NamedSpec>
+  void CheckNames(const std::vector<NamedSpec>& list, std::string_view kind) {
+    std::map<std::string_view, const NamedSpec*> by_name;
+    for (const NamedSpec& each : list) {
+      if (each.name.empty()) continue;
+      const NamedSpec* first = by_name.try_emplace(each.name, &each).first->second;
+      if (first == &each) continue;
+      diagnostics_.Error(each.name_where, [&] {
+        return fmt::format("a {} named {} stands in line {} already", kind, Quote(each.name),
                            first->name_where.line);
       });
     }
@@ -201,7 +241,7 @@ class Parser {
   Diagnostics& diagnostics_;
   SceneSpec scene_;
   Section camera_, background_;
-  bool have_materials_ = false;
+  bool have_materials_ = false, have_textures_ = false;
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ ObjContent ObjParser::Parse() {
     ParseFace(early_faces_[i], &words);
   }
   FinishNormals();
+  if (content_.mesh.uv_corners.empty()) content_.mesh.uvs = {};
   WarnOfTallies();
   return std::move(content_);
 }
@@ -92,11 +93,12 @@ void ObjParser::ParseNormal(const Token& keyword) {
 }
 
 void ObjParser::ParseTexture(const Token& keyword) {
-  Vec3 unused;
-  const auto count = ParseNumbers(keyword, &unused);
+  Vec3 uvw;
+  const auto count = ParseNumbers(keyword, &uvw);
   if (count && (*count < 1 || *count > 3)) {
     Error(keyword, fmt::format("'vt' needs one to three coordinates, found {}", *count));
   }
+  content_.mesh.uvs.push_back({uvw.x, uvw.y});
   Grow(kTextures, keyword);
 }
 
@@ -155,7 +157,11 @@ std::optional<ObjParser::Corner> ObjParser::ParseCorner(const Token& word, const
   const auto position = Resolve(word, kPositions, indices->position, above);
   if (!position) return std::nullopt;
   corner.position = *position;
-  if (indices->texture && !Resolve(word, kTextures, *indices->texture, above)) return std::nullopt;
+  if (indices->texture) {
+    const auto uv = Resolve(word, kTextures, *indices->texture, above);
+    if (!uv) return std::nullopt;
+    corner.uv = *uv;
+  }
   if (indices->normal) {
     const auto normal = Resolve(word, kNormals, *indices->normal, above);
     if (!normal) return std::nullopt;
@@ -217,14 +223,19 @@ bool ObjParser::AddTriangle(const Corner& a, const Corner& b, const Corner& c) {
       Vec3d{}) {
     return false;
   }
-  const bool has_normal = a.normal != kNoNormal || b.normal != kNoNormal || c.normal != kNoNormal;
-  if (has_normal && !has_normal_corners_) {
-    mesh.normal_corners.assign(mesh.triangles.size(), {kNoNormal, kNoNormal, kNoNormal});
-    has_normal_corners_ = true;
-  }
   mesh.triangles.push_back({a.position, b.position, c.position});
-  if (has_normal_corners_) mesh.normal_corners.push_back({a.normal, b.normal, c.normal});
+  AddCorners({a.normal, b.normal, c.normal}, kNoNormal, &mesh.normal_corners);
+  AddCorners({a.uv, b.uv, c.uv}, MeshSpec::kNoUv, &mesh.uv_corners);
   return true;
+}
+
+void ObjParser::AddCorners(const MeshSpec::Corners& corners, uint32_t none,
+                           std::vector<MeshSpec::Corners>* list) {
+  if (list->empty()) {
+    if (corners[0] == none && corners[1] == none && corners[2] == none) return;
+    list->assign(content_.mesh.triangles.size() - 1, {none, none, none});
+  }
+  list->push_back(corners);
 }
 
 /// Settles what only the whole file tells: the normals of corners that name none, and which of the

@@ -50,6 +50,7 @@ class ObjParser {
   struct Corner {
     uint32_t position = 0;
     uint32_t normal = MeshSpec::kNoNormal;
+    uint32_t uv = MeshSpec::kNoUv;
   };
   /// Equal mistakes that are told once, with their number.
   struct Tally {
@@ -72,6 +73,10 @@ class ObjParser {
   std::optional<uint32_t> Resolve(const Token& word, List list, int64_t index, const Counts& above);
   void AddFace(const Token& keyword);
   bool AddTriangle(const Corner& a, const Corner& b, const Corner& c);
+  /// Adds the indices of a triangle that was just added to a list which stays empty until a corner
+  /// has one.
+  void AddCorners(const MeshSpec::Corners& corners, uint32_t none,
+                  std::vector<MeshSpec::Corners>* list);
   void FinishNormals();
 
   SourceLocation Where(const Token& token) const { return {file_, token.line, token.column}; }
@@ -85,7 +90,6 @@ class ObjParser {
   bool is_full_ = false;
 
   ObjContent content_;
-  bool has_normal_corners_ = false;
   Counts counts_ = {};                 ///< Lines of each list so far, wrong ones included.
   bool is_at_end_ = false;             ///< The lists are complete.
   bool is_early_ = false;              ///< The face at hand names something that is not there yet.

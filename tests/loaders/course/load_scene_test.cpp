@@ -54,13 +54,14 @@ TEST(LoadScene, InputFilesAreAllThatMustNotBeOverwritten) {
   const TempFolder folder;
   Put(folder / "a.obj", kTriangle);
   Put(folder / "s.txt", "Background { cube_map sky }" + kCamera +
-                            "Materials { Material { } } Scene { " + MeshNode("a.obj") + "}");
+                            "Materials { Material { } } Scene { " + MeshNode("a.obj") + "}" +
+                            "Textures { Texture { name w type image file w.png } }");
   Diagnostics diagnostics;
   const SceneSpec spec = LoadScene(folder / "s.txt", &diagnostics);
   const auto sky = folder / "sky";
-  EXPECT_THAT(InputFiles(spec),
-              ElementsAre(folder / "s.txt", folder / "a.obj", sky / "left.png", sky / "right.png",
-                          sky / "up.png", sky / "down.png", sky / "front.png", sky / "back.png"));
+  EXPECT_THAT(InputFiles(spec), ElementsAre(folder / "s.txt", folder / "a.obj", sky / "left.png",
+                                            sky / "right.png", sky / "up.png", sky / "down.png",
+                                            sky / "front.png", sky / "back.png", folder / "w.png"));
 }
 
 TEST(LoadScene, TheScenesOfTheProjectAreSound) {

@@ -82,6 +82,33 @@ TEST(SceneParser, MaterialsArePhongUnlessTheySayOtherwise) {
   EXPECT_EQ(spec.materials[1].material.type, "diffuse");
 }
 
+TEST(SceneParser, ATextureStandsWhereAValueMay) {
+  const SceneSpec spec = Parse(
+      kCamera +
+      "Textures { Texture { name texture type checker even texture a scale 2 2 } }\n"
+      "Materials { Material { name texture diffuse texture wood specular 1 1 1 } } Scene { }");
+  ASSERT_THAT(spec.textures, SizeIs(1));
+  EXPECT_EQ(spec.textures[0].name, "texture");
+  EXPECT_EQ(spec.textures[0].texture.type, "checker");
+  ASSERT_THAT(spec.textures[0].texture.params.params, SizeIs(2));
+  EXPECT_EQ(spec.textures[0].texture.params.params[0].words[1].text, "a");
+  EXPECT_EQ(spec.materials[0].name, "texture");
+  const auto& params = spec.materials[0].material.params.params;
+  ASSERT_THAT(params, SizeIs(2));
+  ASSERT_THAT(params[0].words, SizeIs(2));
+  EXPECT_EQ(params[0].words[0].text, "texture");
+  EXPECT_EQ(params[0].words[1].text, "wood");
+  EXPECT_THAT(params[1].words, SizeIs(3));
+}
+
+// A folder of that name stays what it was.
+TEST(SceneParser, InABackgroundTextureIsAWordLikeOthers) {
+  const SceneSpec spec =
+      Parse("Background { cube_map texture color 1 2 3 }" + kCamera + "Scene { }");
+  EXPECT_EQ(spec.background.cube_map, "texture");
+  EXPECT_EQ(spec.background.color, (Rgb{1, 2, 3}));
+}
+
 TEST(SceneParser, NodesAreListedInTheOrderOfTheFile) {
   const SceneSpec spec =
       Parse(kCamera + "Scene { Node { Node { } } Component<Light> { type point } Node { } }");

@@ -38,6 +38,22 @@ TEST(ObjLegal, WeightsAndColoursHaveNoEffect) {
   EXPECT_THAT(read.mesh.positions, ElementsAre(Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}));
 }
 
+TEST(ObjLegal, TextureCoordinatesHaveIndicesOfTheirOwn) {
+  const ReadText read = ReadObjText(std::string(kSquare) +
+                                    "vt 0 .5\nvt 1\nvt 1 1 9\nf 1 2 3\nf 1/1 2/-2 3/3\nf 1 3 4\n");
+  EXPECT_THAT(read.lines, IsEmpty());
+  EXPECT_THAT(read.mesh.uvs, ElementsAre(Vec2{0, 0.5f}, Vec2{1, 0}, Vec2{1, 1}));
+  constexpr uint32_t kNoUv = MeshSpec::kNoUv;
+  EXPECT_THAT(read.mesh.uv_corners, ElementsAre(Corners{kNoUv, kNoUv, kNoUv}, Corners{0, 1, 2},
+                                                Corners{kNoUv, kNoUv, kNoUv}));
+}
+
+TEST(ObjLegal, TextureCoordinatesThatNoCornerNamesAreDropped) {
+  const ReadText read = ReadObjText(std::string(kSquare) + "vt 0 0\nf 1 2 3\n");
+  EXPECT_THAT(read.mesh.uvs, IsEmpty());
+  EXPECT_THAT(read.mesh.uv_corners, IsEmpty());
+}
+
 TEST(ObjLegal, ConvexPolygonsAreFansFromTheFirstCorner) {
   EXPECT_THAT(Triangles(std::string(kSquare) + "f 2 3 4 1"),
               ElementsAre(Corners{1, 2, 3}, Corners{1, 3, 0}));

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "materials/material.h"
+#include "materials/material_context.h"
+#include "scene_spec/param_reader.h"
+#include "textures/texture_input.h"
+
+namespace candela {
+
+/// Two materials on the same surface, finely mixed: each has its share of the area.
+class MixMaterial final : public Material {
+ public:
+  /// The share of the second one. Both have to outlive it.
+  MixMaterial(const Material& first, const Material& second, NumberInput amount)
+      : first_(first), second_(second), amount_(std::move(amount)) {}
+  static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
+
+  PhongTerms Phong(const SurfacePoint& point) const override;
+  void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
+  int MostLobes() const override { return first_.MostLobes() + second_.MostLobes(); }
+  bool NeedsTextureCoordinates() const override;
+  bool IsPhysical() const override { return first_.IsPhysical() && second_.IsPhysical(); }
+
+ private:
+  const Material &first_, &second_;
+  NumberInput amount_;
+};
+
+}  // namespace candela

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "materials/energy_table.h"
+#include "materials/material_context.h"
+#include "textures/texture_input.h"
+
+namespace candela {
+
+/// How rough a surface is, by number or by texture: the parameter `roughness`, whose square is the
+/// alpha of `Ggx`.
+class Roughness {
+ public:
+  static Roughness Create(ParamReader* params, const MaterialContext& context);
+  static Roughness OfAlpha(float alpha);
+
+  float AlphaAt(const SurfacePoint& point) const;
+  /// Whether the surface is polished at all points.
+  bool IsNowhere() const { return !input_.IsTextured() && alpha_ < kSmoothestAlpha; }
+
+  /// A table for all alphas that there may be, and the row of one of them.
+  EnergyTable MakeTable(const EnergyTable::Facet& facet) const;
+  float TableRow(float alpha) const;
+
+  bool NeedsTextureCoordinates() const { return input_.NeedsTextureCoordinates(); }
+
+ private:
+  NumberInput input_;
+  float alpha_ = 0;  ///< Without a texture.
+};
+
+}  // namespace candela

@@ -1,0 +1,95 @@
+#include "textures/image_texture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/text.h"
+#include "image/image_file.h"
+#include "math/elementary.h"
+
+namespace candela {
+namespace {
+
+/// The light that a value of the sRGB curve stands for: IEC 61966-2-1. Beyond 0 to 1 there is none.
+float LinearFromSrgb(float value) {
+  if (value <= 0.04045f) return value / 12.92f;
+  return Pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+/// Three channels: grey stands for all of them, alpha is left out. What is no finite number is 0.
+Image ToColours(const Image& image, bool is_srgb) {
+  Image colours(image.Width(), image.Height(), 3);
+  const int step = image.Channels() > 2 ? 1 : 0;
+  ParallelFor(image.Height(), [&](int64_t row) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < image.Width(); ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const float value = image.At(x, y, c * step);
+        const float finite = std::isfinite(value) ? value : 0;
+        colours.At(x, y, c) = is_srgb ? LinearFromSrgb(finite) : finite;
+      }
+    }
+  });
+  return colours;
+}
+
+/// Which of the words the parameter is; the first when it is missing or wrong, which is reported.
+size_t Choice(ParamReader* params, std::string_view name, std::vector<std::string_view> words) {
+  if (!params->Has(name)) return 0;
+  const std::string word = params->Word(name);
+  const auto found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<size_t>(found - words.begin());
+  if (!word.empty()) params->Error(params->Where(name), WrongWord(name, ListOf(words), word));
+  return 0;
+}
+
+}  // namespace
+
+std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
+                                                    const TextureContext& context) {
+  const std::string name = params->RequiredWord("file");
+  const SourceLocation asked = params->Where("file");
+  const std::filesystem::path path = context.folder / name;
+  // Eight bits are made for eyes, and so for the curve; the others hold light.
+  const bool is_png = FormatOf(path).value_or(ImageFormat::kPng) == ImageFormat::kPng;
+  const bool has_encoding = params->Has("encoding");
+  const size_t encoding = Choice(params, "encoding", {"srgb", "linear"});
+  const bool is_srgb = has_encoding ? encoding == 0 : is_png;
+  const auto wrap = static_cast<Wrap>(Choice(params, "wrap", {"repeat", "mirror", "clamp"}));
+  const UvTransform transform = UvTransform::Create(params);
+  if (name.empty()) return nullptr;
+
+  std::vector<std::string> warnings;
+  const Result<Image> image = ReadImage(path, &warnings);
+  const SourceLocation file{std::make_shared<const std::string>(path.string())};
+  for (std::string& warning : warnings) context.diagnostics->Warning(file, std::move(warning));
+  if (!image) {
+    context.diagnostics->Error(
+        asked, fmt::format("texture {}: {}", Quote(path.string()), image.error().message),
+        image.error().code);
+    return nullptr;
+  }
+  return std::make_shared<ImageTexture>(MipMap(ToColours(*image, is_srgb), wrap), transform);
+}
+
+Rgb ImageTexture::Lookup(const SurfacePoint& point) const {
+  float width = 0;
+  if (point.footprint > 0) {
+    // The width on the surface, in texture coordinates of the direction that moves fastest.
+    const auto across = [&](Vec3 dp, Vec2 d) {
+      const float length = Length(dp);
+      const Vec2 moved = transform_.Vector(d);
+      return length > 0 ? std::max(std::abs(moved.x), std::abs(moved.y)) / length : 0;
+    };
+    width = point.footprint * std::max(across(point.dpdu, {1, 0}), across(point.dpdv, {0, 1}));
+  }
+  return picture_.Lookup(transform_.Apply(point.uv), width);
+}
+
+}  // namespace candela

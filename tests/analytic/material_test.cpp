@@ -1,0 +1,144 @@
+// Materials in scenes whose light is known: furnaces and panes.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "integrators/path.h"
+#include "integrators/registry.h"
+#include "tests/support/compile_text.h"
+#include "tests/support/estimate.h"
+
+namespace candela {
+namespace {
+
+using testing_support::CompileText;
+using testing_support::Estimate;
+using testing_support::EstimateRadiance;
+using testing_support::ExpectEstimate;
+using testing_support::kCamera;
+
+IntegratorOptions SeedOne() {
+  IntegratorOptions options;
+  options.seed = 1;
+  return options;
+}
+
+/// A ball of the last of the materials, which the camera sees, in an environment of radiance 1.
+std::string Furnace(const std::string& materials) {
+  return fmt::format(
+      "{}Background {{ color 1 1 1 }}\n"
+      "Textures {{ Texture {{ name half type constant color 0.6 0.6 0.6 }} }}\n"
+      "Materials {{ {} }}\n"
+      "Scene {{ Transform {{ translate 0 0 -3 }} Component<Object> {{ type sphere radius 1 }}\n"
+      "Component<Material> {{ name ball }} }}",
+      kCamera, materials);
+}
+
+/// What the path tracer sees of such a ball: no darker and no brighter than what surrounds it.
+void ExpectInvisible(const std::string& materials, double tolerance, uint32_t pixels = 64) {
+  SCOPED_TRACE(materials);
+  const auto scene = CompileText(Furnace(materials));
+  const PathIntegrator path(*scene, SeedOne());
+  for (const Vec2 image_point : {Vec2{0, 0}, Vec2{0.25f, -0.1f}, Vec2{-0.3f, 0.15f}}) {
+    const Estimate estimate = EstimateRadiance(path, image_point, pixels, 1024);
+    EXPECT_NEAR(estimate.mean, 1, tolerance + test::kLargestDeviate * estimate.error);
+    EXPECT_LE(estimate.error, 3e-3);
+  }
+}
+
+// Where the model is exact.
+TEST(WhiteBall, OfASmoothMaterialIsInvisibleInTheFurnace) {
+  ExpectInvisible("Material { name ball type diffuse albedo 1 1 1 }", 1e-5);
+  ExpectInvisible("Material { name ball type diffuse albedo 1 1 1 roughness 0.8 }", 1e-4);
+  ExpectInvisible("Material { name ball type mirror }", 1e-5);
+  ExpectInvisible("Material { name ball type dielectric ior glass }", 1e-5);
+  ExpectInvisible("Material { name ball type dielectric ior diamond }", 1e-5);
+  ExpectInvisible("Material { name ball type dielectric thin true }", 1e-5);
+  ExpectInvisible("Material { name ball type plastic albedo 1 1 1 }", 1e-4);
+}
+
+TEST(WhiteBall, OfARoughMaterialIsInvisibleInTheFurnace) {
+  for (const char* roughness : {"0.2", "0.4", "0.6", "0.8", "1", "texture half"}) {
+    const auto expect_invisible = [&](const std::string& material, uint32_t pixels) {
+      ExpectInvisible(fmt::format("Material {{ name ball {} roughness {} }}", material, roughness),
+                      5e-3, pixels);
+    };
+    expect_invisible("type conductor eta 0 0 0 k 3 3 3", 64);
+    expect_invisible("type plastic albedo 1 1 1", 64);
+    // Light that is caught inside for long comes out in few and bright paths.
+    expect_invisible("type dielectric ior glass", 256);
+  }
+  ExpectInvisible("Material { name ball type conductor eta 0 0 0 k 3 3 3 alpha_x 0.6 alpha_y 0.1 }",
+                  5e-3);
+}
+
+TEST(WhiteBall, OfAMixtureOrAVeilIsInvisibleInTheFurnace) {
+  const std::string parts =
+      "Material { name a type mirror } Material { name b type diffuse albedo 1 1 1 }";
+  ExpectInvisible(parts + "Material { name ball type mix first a second b amount 0.3 }", 1e-5);
+  ExpectInvisible(parts + "Material { name ball type mask material b opacity texture half }", 1e-5);
+}
+
+/// A glass plate from z = 0 to z = -1 in front of a black wall, seen head-on. What surrounds the
+/// camera has the first radiance, and the wall the second.
+std::string Plate(const std::string& glass, float around, float wall) {
+  return fmt::format(
+      "Camera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 fov 90 }}\n"
+      "Background {{ color {1} {1} {1} }}\n"
+      "Materials {{ Material {{ name glass type dielectric ior 1.5 {0} }}\n"
+      "  Material {{ name black type diffuse albedo 0 0 0 }} }}\n"
+      "Scene {{\n"
+      "  Node {{ Component<Material> {{ name glass }}\n"
+      "    Component<Object> {{ type plane normal 0 0 1 offset 0 }} }}\n"
+      "  Node {{ Component<Material> {{ name glass }}\n"
+      "    Component<Object> {{ type plane normal 0 0 -1 offset 1 }} }}\n"
+      "  Node {{ Component<Material> {{ name black }}\n"
+      "    Component<Object> {{ type plane normal 0 0 1 offset -3 }}\n"
+      "    Component<Light> {{ type area radiance {2} {2} {2} }} }} }}",
+      glass, around, wall);
+}
+
+/// The same plate as one surface without thickness.
+std::string Pane(const std::string& glass, float around, float wall) {
+  return fmt::format(
+      "Camera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 fov 90 }}\n"
+      "Background {{ color {1} {1} {1} }}\n"
+      "Materials {{ Material {{ name glass type dielectric ior 1.5 thin true thickness 1 {0} }}\n"
+      "  Material {{ name black type diffuse albedo 0 0 0 }} }}\n"
+      "Scene {{\n"
+      "  Node {{ Component<Material> {{ name glass }}\n"
+      "    Component<Object> {{ type plane normal 0 0 1 offset 0 }} }}\n"
+      "  Node {{ Component<Material> {{ name black }}\n"
+      "    Component<Object> {{ type plane normal 0 0 1 offset -3 }}\n"
+      "    Component<Light> {{ type area radiance {2} {2} {2} }} }} }}",
+      glass, around, wall);
+}
+
+void ExpectHeadOn(const std::string& text, double expected) {
+  const auto scene = CompileText(text);
+  ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, SeedOne()), {0, 0}, 256, 2048), expected);
+}
+
+// T = (1 - R)^2 a / (1 - R^2 a^2) of the light behind, R + R (1 - R)^2 a^2 / (1 - R^2 a^2) of that
+// in front, with R = 0.04 at each face and a = exp(-sigma t) on the way between them.
+TEST(GlassPlate, TransmitsAndReflectsAllInnerBounces) {
+  ExpectHeadOn(Plate("", 0, 1), 0.923077);
+  ExpectHeadOn(Plate("", 1, 0), 0.076923);
+}
+
+TEST(GlassPlate, TintedItAbsorbsOnTheWay) {
+  ExpectHeadOn(Plate("absorption 0.5 0.5 0.5", 0, 1), 0.559308);
+  ExpectHeadOn(Plate("absorption 0.5 0.5 0.5", 1, 0), 0.053569);
+}
+
+TEST(GlassPane, IsThePlateInOneSurface) {
+  ExpectHeadOn(Pane("", 0, 1), 0.923077);
+  ExpectHeadOn(Pane("", 1, 0), 0.076923);
+  ExpectHeadOn(Pane("absorption 0.5 0.5 0.5", 0, 1), 0.559308);
+  ExpectHeadOn(Pane("absorption 0.5 0.5 0.5", 1, 0), 0.053569);
+}
+
+}  // namespace
+}  // namespace candela

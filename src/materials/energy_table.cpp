@@ -20,6 +20,10 @@ constexpr int kIntervals = kColumns - 1;
 // the end of the steep facets, which are few but lose most.
 constexpr int kTurns = 24, kRings = 32;
 
+size_t CellOf(int row, int column) {
+  return static_cast<size_t>(row) * kColumns + static_cast<size_t>(column);
+}
+
 float Column(float cosine) {
   return std::sqrt(cosine) * (kColumns - 1);
 }
@@ -129,8 +133,7 @@ void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Face
     const float root = static_cast<float>(column) / kIntervals;
     const float cosine = std::max(root * root, kNearestToHorizon);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    shares_[static_cast<size_t>(row * kColumns + column)] =
-        ShareOf(surface, {sine * c, sine * s, cosine}, facet);
+    shares_[CellOf(row, column)] = ShareOf(surface, {sine * c, sine * s, cosine}, facet);
   }
 }
 
@@ -152,7 +155,7 @@ void EnergyTable::Summarise() {
     means_.push_back(static_cast<float>(1 - missing));
 
     // Directions are drawn by straight lines in the square of the cosine instead.
-    const float* shares = &shares_[static_cast<size_t>(row * kColumns)];
+    const float* shares = &shares_[CellOf(row, 0)];
     for (int i = 0; i < kIntervals; ++i) {
       area += (2 - double{shares[i]} - double{shares[i + 1]}) / 2 * SquaresBetween(i);
     }
@@ -164,7 +167,7 @@ void EnergyTable::Summarise() {
 
 float EnergyTable::At(float cosine, float row) const {
   const Place x(Column(cosine), kColumns), y(row, rows_);
-  const float* here = &shares_[static_cast<size_t>(y.index * kColumns + x.index)];
+  const float* here = &shares_[CellOf(y.index, x.index)];
   const float lower = Blend(here[0], here[1], x.fraction);
   if (y.fraction == 0) return lower;
   return Blend(lower, Blend(here[kColumns], here[kColumns + 1], x.fraction), y.fraction);
@@ -178,7 +181,7 @@ float EnergyTable::Mean(float row) const {
 
 float EnergyTable::MissingAt(int column, float row) const {
   const Place y(row, rows_);
-  const float* here = &missing_[static_cast<size_t>(y.index * kColumns + column)];
+  const float* here = &missing_[CellOf(y.index, column)];
   return y.fraction == 0 ? here[0] : Blend(here[0], here[kColumns], y.fraction);
 }
 

@@ -39,6 +39,18 @@ Image ToColours(const Image& image, bool is_srgb) {
   return colours;
 }
 
+/// A picture for which there is memory in the form in which it is looked up: three floats a texel,
+/// and a third as many texels again in its smaller copies.
+Result<Image> ReadForLookup(const std::filesystem::path& path, std::vector<std::string>* warnings) {
+  Result<Image> image = ReadImage(path, warnings);
+  if (!image) return image;
+  constexpr int64_t kBytesPerTexel = 16;
+  if (const auto fits = CheckImageSize(image->Width(), image->Height(), kBytesPerTexel); !fits) {
+    return fits.error();
+  }
+  return image;
+}
+
 /// Which of the words the parameter is; the first when it is missing or wrong, which is reported.
 size_t Choice(ParamReader* params, std::string_view name, std::vector<std::string_view> words) {
   if (!params->Has(name)) return 0;
@@ -66,7 +78,7 @@ std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
   if (name.empty()) return nullptr;
 
   std::vector<std::string> warnings;
-  const Result<Image> image = ReadImage(path, &warnings);
+  const Result<Image> image = ReadForLookup(path, &warnings);
   const SourceLocation file{std::make_shared<const std::string>(path.string())};
   for (std::string& warning : warnings) context.diagnostics->Warning(file, std::move(warning));
   if (!image) {

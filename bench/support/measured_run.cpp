@@ -1,5 +1,6 @@
 #include "support/measured_run.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
 #include <sys/resource.h>
@@ -29,7 +30,12 @@ Result<MeasuredRun> Measure(const std::filesystem::path& program,
 
   const Stopwatch clock;
   pid_t pid = 0;
-  const int failure = ::posix_spawn(&pid, program.c_str(), nullptr, nullptr, words.data(), environ);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  const int failure =
+      ::posix_spawn(&pid, program.c_str(), &actions, nullptr, words.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
   if (failure != 0) {
     return Error{ErrorCode::kInput,
                  fmt::format("{} cannot be started: {}", program.string(), std::strerror(failure))};

@@ -16,7 +16,8 @@ struct MeasuredRun {
   uint64_t peak_bytes = 0;  ///< The most memory that was resident at once.
 };
 
-/// Runs a program to its end. An error when it cannot be started or its exit status is not 0.
+/// Runs a program to its end, without its standard output. An error when it cannot be started or
+/// its exit status is not 0.
 Result<MeasuredRun> Measure(const std::filesystem::path& program,
                             const std::vector<std::string>& arguments);
 

@@ -11,16 +11,11 @@
 #include "base/parallel.h"
 #include "base/text.h"
 #include "image/image_file.h"
+#include "image/tone_curve.h"
 #include "math/elementary.h"
 
 namespace candela {
 namespace {
-
-/// The light that a value of the sRGB curve stands for: IEC 61966-2-1. Beyond 0 to 1 there is none.
-float LinearFromSrgb(float value) {
-  if (value <= 0.04045f) return value / 12.92f;
-  return Pow((value + 0.055f) / 1.055f, 2.4f);
-}
 
 /// Three channels: grey stands for all of them, alpha is left out. What is no finite number is 0.
 Image ToColours(const Image& image, bool is_srgb) {

@@ -136,6 +136,7 @@ std::optional<double> SecondsToStop(const GroupInput& input, BuildQuality qualit
   const double end = stopwatch.Seconds();
   asker.join();
   if (group.ok()) return std::nullopt;
+  CHECK(group.error().code == ErrorCode::kStopped);
   return end - asked;
 }
 

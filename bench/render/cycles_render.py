@@ -198,9 +198,7 @@ def main():
         bpy.data.objects.remove(thing)
     bpy.context.scene.world = bpy.data.worlds.new("world")
     bpy.context.scene.world.use_nodes = True
-    {"cornell": cornell, "glass": glass, "statue": statue, "empty": lambda: camera((0, 0, 5), (0, 0, -1), 36)}[
-        SCENE
-    ]()
+    {"cornell": cornell, "glass": glass, "statue": statue}[SCENE]()
     set_up_cycles()
     bpy.ops.render.render(write_still=True)
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/check.h"
@@ -19,7 +20,7 @@ double TrimmedRelativeError(const Image& picture, const Image& reference) {
         const double right = reference.At(x, y, c), difference = picture.At(x, y, c) - right;
         sum += difference * difference / std::max(right * right, kLeastSquare);
       }
-      errors.push_back(sum / 3);
+      errors.push_back(std::isfinite(sum) ? sum / 3 : std::numeric_limits<double>::infinity());
     }
   }
   std::ranges::sort(errors);
@@ -47,7 +48,8 @@ double LargestRegionDifference(const Image& a, const Image& b) {
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
       const double one = means[0][row][column], other = means[1][row][column];
-      if (other > 0) largest = std::max(largest, std::abs(one - other) / other);
+      const double brighter = std::max(one, other);
+      if (brighter > 0) largest = std::max(largest, std::abs(one - other) / brighter);
     }
   }
   return largest;

@@ -294,6 +294,9 @@ int Main(std::span<const char* const> words) {
   parser.Flag("update", &options.update,
               "put the tables into docs/performance.md; in the root of the project");
   if (const auto status = ReadCommandLine(parser, words)) return *status;
+  if (options.update && (options.only_ours || !options.scenes.empty())) {
+    return PrintError(kName, {ErrorCode::kUsage, "--update needs all scenes and both programs"});
+  }
   const Result<void> done = Run(options);
   return done ? 0 : PrintError(kName, done.error());
 }

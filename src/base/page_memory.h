@@ -15,13 +15,10 @@ class PageMemory {
   explicit PageMemory(size_t bytes);
   ~PageMemory();
   PageMemory(PageMemory&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)),
-        size_(std::exchange(other.size_, 0)),
-        reserved_(std::exchange(other.reserved_, 0)) {}
+      : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
   PageMemory& operator=(PageMemory&& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
-    std::swap(reserved_, other.reserved_);
     return *this;
   }
 
@@ -30,13 +27,9 @@ class PageMemory {
   const void* data() const { return data_; }
   size_t size() const { return size_; }
 
-  /// Keeps the first `bytes`, at most `size()`, where they are, and gives back the pages behind.
-  void Shrink(size_t bytes);
-
  private:
   void* data_ = nullptr;
   size_t size_ = 0;
-  size_t reserved_ = 0;  ///< What the system was asked for.
 };
 
 }  // namespace candela

@@ -47,9 +47,6 @@ uint64_t PeakMemory();
 /// room. Pages are taken when they are first written to, as far as the system can.
 void* AllocatePages(size_t bytes);
 
-/// Gives back what lies behind the first `kept` of `bytes` bytes, as far as the system can; returns
-/// what is still held, for the next call.
-size_t ShrinkPages(void* data, size_t bytes, size_t kept);
 void FreePages(void* data, size_t bytes);
 
 /// Whether stderr is a terminal, as far as the system tells.

@@ -11,8 +11,8 @@ namespace candela {
 struct ToneCurve {
   std::string_view name;
   std::string_view description;
-  /// Display values from 0 to 1, encoded for an sRGB display, for linear values of at least 0. Each
-  /// of them grows with the brightness of a grey.
+  /// Display values from 0 to 1 for linear values of at least 0; encoded for an sRGB display, but
+  /// for `none`. Each of them grows with the brightness of a grey.
   Rgb (*encode)(Rgb linear);
 };
 
@@ -27,7 +27,7 @@ struct ToneMapping {
   const ToneCurve* curve = nullptr;  ///< Null: the values as they are.
   float gain = 1;
 
-  /// Not finite or negative components count as 0; infinite ones are the brightest.
+  /// NaN and negative components count as 0; infinite ones are the brightest.
   Rgb Encode(Rgb linear) const;
 };
 

@@ -328,7 +328,7 @@ bool PathIntegrator::Scatter(uint32_t bounce, const Vertex& vertex, Path* path, 
   if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;
   path->throughput *= next.weight;
   if (path->throughput.IsBlack()) return false;
-  if (next.is_transmission) path->absorption = vertex.AbsorptionBeyond();
+  if (next.enters) path->absorption = vertex.AbsorptionBeyond();
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.

@@ -21,7 +21,6 @@ class Arena {
   size_t size() const { return memory_.size() / sizeof(Record); }
 
   /// Gives back what lies behind the first `count` records.
-  void Shrink(size_t count) { memory_.Shrink(count * sizeof(Record)); }
 
  private:
   PageMemory memory_;

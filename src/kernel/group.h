@@ -19,7 +19,7 @@ namespace candela {
 /// How much time a tree is worth.
 enum class BuildQuality {
   kFast,  ///< Binned surface area heuristic.
-  kBest,  ///< And triangles split where their boxes overlap, and a search for the best wide tree.
+  kBest,  ///< And triangles split where their boxes overlap.
 };
 
 struct BuildOptions {
@@ -68,7 +68,9 @@ class Group {
 
   /// Takes new positions for the triangles, in the form and number of the old ones, and new boxes
   /// of primitives and instances, and keeps the shape of the tree: quick, and good as long as
-  /// things stay near each other. Not concurrently with queries.
+  /// things stay near each other. What was left out when the group was built, without area or box,
+  /// stays so; masks and filters stay, too. Fails with `kUsage` for other items. Not concurrently
+  /// with queries.
   Result<void> Refit(const GroupInput& input);
 
   /// The box around all bounded items at all times.

@@ -22,6 +22,7 @@ struct TraceFunctions;
 
 /// What a search has to know of an item beyond the records.
 struct ItemFacts {
+  uint32_t count = 0;  ///< Its primitives.
   uint32_t mask = kAnyRay;
   const HitFilter* filter = nullptr;
   const PrimitiveSet* set = nullptr;
@@ -52,7 +53,8 @@ struct GroupData {
   int width = 8;   ///< Children of a node: WideNode<width>.
   int depth = 0;   ///< Nodes on the longest way down from the root.
   int levels = 1;  ///< Of groups in groups, this one included.
-  /// Entries that a search may have to keep at once, groups inside included.
+  /// Entries that a search may have to keep at once, those that it begins with and groups inside
+  /// included.
   uint32_t stack_need = 0;
   float largest_coordinate = 0;  ///< Of `bounds`, by magnitude.
 
@@ -64,6 +66,8 @@ struct GroupData {
 /// builder keeps within them.
 constexpr int kMostLevels = 1 + HitRecord::kMostNested;
 constexpr uint32_t kMostTreeStack = 200;  ///< Of one tree.
-constexpr uint32_t kMostStack = kMostLevels * (kMostTreeStack + 2) + 16;
+constexpr uint32_t kMostSearchStack = kMostLevels * (kMostTreeStack + 3);
+/// With room for those that are written beyond the last one.
+constexpr uint32_t kMostStack = kMostSearchStack + 16;
 
 }  // namespace candela::kernel

@@ -125,8 +125,8 @@ class SpanSearch {
     return false;
   }
 
-  /// Puts the children that are met on the stacks of so many rays, from far to near. Two at once
-  /// have no part that waits for the other's.
+  /// Puts the children that are met on the stacks of so many rays, from far to near. Several at
+  /// once have no part that waits for the other's.
   template <uint32_t kCount>
   [[gnu::always_inline]] void StepIntoNodes(const uint8_t* slots) {
     using F = typename L::Node;

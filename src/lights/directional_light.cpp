@@ -56,7 +56,7 @@ Spectrum DirectionalLight::Emitted(const SurfacePoint&, Vec3 w) const {
 }
 
 LightReach DirectionalLight::Reach() const {
-  return {std::max(0.0f, MeanOf(color_)), true, {}, 0};
+  return {MeanOf(Abs(color_)), true, {}, 0};
 }
 
 }  // namespace candela

@@ -26,7 +26,7 @@ LightSample PointLight::SampleIncident(Vec3 p) const {
 
 LightReach PointLight::Reach() const {
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  return {std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
+  return {kAllAround * MeanOf(Abs(color_)) / attenuation_, false, position_, 0};
 }
 
 }  // namespace candela

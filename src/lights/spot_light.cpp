@@ -51,7 +51,7 @@ LightSample SpotLight::SampleIncident(Vec3 p) const {
 LightReach SpotLight::Reach() const {
   // Its power is that of a light all around: whoever is in its beam sees no less.
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  LightReach reach{std::max(0.0f, kAllAround * MeanOf(color_) / attenuation_), false, position_, 0};
+  LightReach reach{kAllAround * MeanOf(Abs(color_)) / attenuation_, false, position_, 0};
   reach.axis = direction_;
   reach.least_cosine = cosine_outer_;
   return reach;

@@ -56,11 +56,13 @@ BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
     AddOthers(bsdf, o, drawn, &sample);
   }
   const bool is_transmission = sample.wi.z < 0;
+  const LobeKind kind = bsdf.lobes[drawn].kind;
   return {bsdf.frame.ToWorld(sample.wi),
           sample.weight,
           sample.pdf,
           sample.is_delta,
           is_transmission,
+          is_transmission && kind != LobeKind::kHole && kind != LobeKind::kPane,
           sample.eta};
 }
 

@@ -56,6 +56,7 @@ struct BsdfSample {
   /// probability of the choice, and `weight` what is reflected or let through, over `pdf`.
   bool is_delta = false;
   bool is_transmission = false;  ///< `wi` and `wo` lie on different sides of the surface.
+  bool enters = false;           ///< And it gets into another body: not by a hole or a pane.
   /// The refractive index on the side of `wi` over that on the side of `wo`. Radiance is carried,
   /// so light that gets into glass is weaker by its square and recovers when it leaves again:
   /// `weight` times the square is the share of the power, which Russian roulette should look at.

@@ -60,8 +60,8 @@ std::unique_ptr<Material> ConductorMaterial::Create(ParamReader* params,
                                                     const MaterialContext& context) {
   const Metal metal = ReadMetal(params);
   const std::optional<Ggx> brushing = ReadBrushing(params);
-  const float rotation = params->Number("rotation", 0);
   if (brushing) {
+    const float rotation = params->Number("rotation", 0);
     return std::make_unique<ConductorMaterial>(metal.eta, metal.k, *brushing, rotation);
   }
   return std::make_unique<ConductorMaterial>(metal.eta, metal.k,

@@ -234,9 +234,10 @@ LobeSample SamplePane(const Lobe& lobe, Vec3 wo, Vec2 u) {
   const PaneShares shares = SharesOfPane(lobe.pane, wo.z);
   const float reflected = shares.reflected.x + shares.reflected.y + shares.reflected.z;
   const float through = shares.through.x + shares.through.y + shares.through.z;
-  const float choice = reflected / (reflected + through);
   LobeSample sample;
   sample.is_delta = true;
+  if (!(reflected + through > 0)) return sample;
+  const float choice = reflected / (reflected + through);
   const bool is_reflection = u.x < choice;
   sample.wi = is_reflection ? MirrorDirection(wo) : -wo;
   sample.pdf = is_reflection ? choice : 1 - choice;

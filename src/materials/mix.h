@@ -19,6 +19,11 @@ class MixMaterial final : public Material {
 
   PhongTerms Phong(const SurfacePoint& point) const override;
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
+  /// Of the part that absorbs anything; the first, where both do.
+  Rgb Absorption() const override {
+    const Rgb first = first_.Absorption();
+    return first != Rgb() ? first : second_.Absorption();
+  }
   int MostLobes() const override { return first_.MostLobes() + second_.MostLobes(); }
   bool NeedsTextureCoordinates() const override;
   bool IsPhysical() const override { return first_.IsPhysical() && second_.IsPhysical(); }

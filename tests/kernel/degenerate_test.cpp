@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/kernel/degenerate_scenes.h"
+#include "tests/kernel/sphere_set.h"
 #include "tests/kernel/trace_lists.h"
 
 namespace candela::test {
@@ -173,6 +174,35 @@ TEST(Instances, ThatCannotBeAreErrors) {
   } const all;
   item.filter = &all;
   EXPECT_EQ(ErrorOfInstance(item), ErrorCode::kUsage);
+}
+
+/// As many instances of a group without bounds.
+Result<std::unique_ptr<Group>> UnboundedInstances(size_t count) {
+  static const GroundSet kGround(-1);
+  auto inner = Group::Build({{PrimitiveInput{&kGround}}}, {});
+  const std::shared_ptr<const Group> shared = *std::move(inner);
+  GroupInput input(count, GroupItem{InstanceInput{shared, {Mat4::Identity()}}});
+  return Group::Build(std::move(input), {});
+}
+
+TEST(Instances, WithoutBoundsStandOnTheStackTogetherUpToALimit) {
+  const auto some = UnboundedInstances(500);
+  ASSERT_TRUE(some.ok());
+  const Ray ray({0, 0, 0}, {0.5f, -1, 0.25f});
+  for (const Entry entry : kEntries) {
+    const auto hits = IntersectList(**some, entry, std::vector<Ray>(20, ray));
+    for (const HitRecord& hit : hits) EXPECT_EQ(hit.object, 0u) << ToString(entry);
+  }
+  const auto too_many = UnboundedInstances(2000);
+  ASSERT_FALSE(too_many.ok());
+  EXPECT_EQ(too_many.error().code, ErrorCode::kResources);
+}
+
+TEST(Meshes, WithoutATimeStepAreErrors) {
+  const TestMesh mesh = Globe(4, 4);
+  const auto group = Group::Build({{TriangleInput{mesh.positions, mesh.triangles, 0}}}, {});
+  ASSERT_FALSE(group.ok());
+  EXPECT_EQ(group.error().code, ErrorCode::kUsage);
 }
 
 TEST(Instances, CannotBeRefittedToAMatrixWithoutAnInverse) {

@@ -83,10 +83,6 @@ void* AllocatePages(size_t bytes) {
   return data ? std::memset(data, 0, bytes) : nullptr;
 }
 
-size_t ShrinkPages(void*, size_t bytes, size_t) {
-  return bytes;
-}
-
 void FreePages(void* data, size_t) {
   ::operator delete(data, kPage);
 }

@@ -107,14 +107,6 @@ void* AllocatePages(size_t bytes) {
   return data;
 }
 
-size_t ShrinkPages(void* data, size_t bytes, size_t kept) {
-  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
-  const size_t used = std::min(bytes, std::max(page, (kept + page - 1) / page * page));
-  const bool is_freed =
-      used == bytes || ::munmap(static_cast<std::byte*>(data) + used, bytes - used) == 0;
-  return is_freed ? used : bytes;
-}
-
 void FreePages(void* data, size_t bytes) {
   ::munmap(data, bytes);
 }

@@ -79,7 +79,7 @@ class Builder {
         task_size_(std::clamp(list.count / 32, 1024u, 2 * kChunkSize)),
         least_overlap_(kLeastOverlap * list.box.ToBounds().HalfArea()),
         pairs_(static_cast<size_t>(ThreadCount())) {
-    // A task has at most as much room for new fragments as it has fragments, and a chunk.
+    // A split at most doubles a range, and no side of it is larger than the range was.
     for (int i = 0; i < ThreadCount(); ++i) scratch_.emplace_back(2 * task_size_ + kChunkSize);
   }
 

@@ -63,6 +63,10 @@ class GroupBuilder {
     CHECK(need <= kMostTreeStack);
     WriteUnbounded(lists);
     ListEntries();
+    if (group_.stack_need > kMostSearchStack) {
+      return Error{ErrorCode::kResources,
+                   "too many instances without bounds: a search would need too much memory"};
+    }
     return std::move(group_);
   }
 
@@ -72,7 +76,13 @@ class GroupBuilder {
   Result<void> CopyFacts() {
     for (const GroupItem& item : input_) {
       ItemFacts& facts = group_.items.emplace_back();
+      facts.count = items_[group_.items.size() - 1].count;
       facts.mask = item.mask;
+      if (const auto* triangles = std::get_if<TriangleInput>(&item.content)) {
+        if (triangles->steps == 0) {
+          return Error{ErrorCode::kUsage, "a mesh needs one time step at least"};
+        }
+      }
       facts.filter = item.filter;
       if (const auto* primitives = std::get_if<PrimitiveInput>(&item.content)) {
         facts.set = primitives->set;
@@ -163,6 +173,8 @@ class GroupBuilder {
     };
     if (group_.root != GroupData::kNothing) add(group_.root);
     for (const Reference reference : group_.unbounded) add(reference);
+    // They stand there together, below what any of them needs.
+    group_.stack_need += static_cast<uint32_t>(group_.entries.size());
   }
 
   const GroupInput& input_;

@@ -1,5 +1,6 @@
 #include "kernel/build/build_items.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "kernel/group.h"
@@ -65,7 +66,7 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
       item.triangles = triangles;
       item.count = static_cast<uint32_t>(triangles->triangles.size());
       item.steps = triangles->steps;
-      item.vertex_count = triangles->positions.size() / triangles->steps;
+      item.vertex_count = triangles->positions.size() / std::max(1u, triangles->steps);
       item.may_weld = item.steps == 1 && item.vertex_count >= item.count;
       item.may_split = item.steps == 1 && !from.filter;
       const bool is_plain = item.steps == 1 && from.mask == kAnyRay && !from.filter;
@@ -87,7 +88,9 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
 
 Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance, int width) {
   const char* problem = nullptr;
-  if (instance.group->data().width != width) {
+  if (!instance.group) {
+    problem = "an instance needs a group";
+  } else if (instance.group->data().width != width) {
     problem = "a group and those that it has instances of need nodes of the same width";
   } else if (instance.world_from_group.empty() ||
              !InverseAffine(instance.world_from_group.front())) {
@@ -112,7 +115,7 @@ BoxState BoxOfTriangle(const BuildItem& item, uint32_t triangle, Box4* box) {
   const Vec3 p0 = positions[vertices[0]], p1 = positions[vertices[1]], p2 = positions[vertices[2]];
   const Float4 a = Load(p0), b = Load(p1), c = Load(p2);
   const Box4 around{Min(Min(a, b), c), Max(Max(a, b), c)};
-  // The sum of numbers can overflow only when the numbers are huge.
+  // Quarters, whose sum is a number if all three are.
   if (!IsFinite4(a * Splat(0.25f) + b * Splat(0.25f) + c * Splat(0.25f)) || HasNoArea(p0, p1, p2)) {
     return BoxState::kNothing;
   }

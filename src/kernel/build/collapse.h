@@ -50,8 +50,7 @@ class Collapse {
   const BinaryTree& tree_;
   const CancelToken* cancel_;
   /// By the pair of the node's children, 4 bits for each number of slots, from 1 on. The number of
-  /// slots that the left child gets; 0 where one slot less is as good. For one slot: 0 a leaf, 1 a
-  /// node.
+  /// slots that the left child gets; 0 where one slot less is as good.
   PageArray<uint64_t> choice_;
   bool is_even_ = false;
 };

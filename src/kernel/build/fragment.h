@@ -43,7 +43,7 @@ struct alignas(32) Fragment {
 };
 static_assert(sizeof(Fragment) == 32);
 
-/// An array that is not initialised, on large pages.
+/// An array of zero bytes, on large pages.
 template <class T>
 class PageArray {
  public:

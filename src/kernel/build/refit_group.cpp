@@ -45,8 +45,8 @@ class Refitter {
     const auto worst = std::max_element(problems.begin(), problems.end());
     if (worst != problems.end() && *worst != kNone) return ErrorOf(*worst);
 
+    std::vector<LinearBox> boxes(tasks.size());  // Before anything is changed, which may not fail.
     CopyInstances();
-    std::vector<LinearBox> boxes(tasks.size());
     ParallelFor(static_cast<int64_t>(tasks.size()), [&](int64_t i) {
       boxes[static_cast<size_t>(i)] = FitBelow(tasks[static_cast<size_t>(i)]);
     });
@@ -85,7 +85,7 @@ class Refitter {
     for (size_t i = 0; i < input_.size(); ++i) {
       const ItemFacts& facts = group_.items[i];
       const InstanceInput* const instance = items_[i].instance;
-      if (facts.set != items_[i].set) return false;
+      if (facts.set != items_[i].set || facts.count != items_[i].count) return false;
       if (facts.group != (instance ? instance->group : nullptr)) return false;
       const size_t steps = instance && items_[i].steps > 1 ? items_[i].steps : 0;
       if (facts.steps.size() != steps) return false;

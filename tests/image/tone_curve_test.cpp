@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(, EachCurve, testing::ValuesIn(AllCurves()),
                          [](const auto& row) { return std::string(row.param->name); });
 
 TEST(ToneMapping, WithoutACurveScalesOnly) {
-  EXPECT_EQ((ToneMapping{nullptr, 4}.Encode({0.25f, 1, 2})), Rgb(1, 4, 8));
+  EXPECT_EQ((ToneMapping{nullptr, 4}.Encode({0.25f, 1, 2})), (Rgb{1, 4, 8}));
 }
 
 // CF27: half of the light is 188 of 255 on a display, rounded; the course's rule cuts to 127.

@@ -44,13 +44,14 @@ PhongTerms MixMaterial::Phong(const SurfacePoint& point) const {
 
 void MixMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   const float amount = amount_.At(point);
-  for (const Material* part : {&first_, &second_}) {
-    const float share = part == &first_ ? 1 - amount : amount;
-    if (share == 0) continue;
+  const auto add = [&](const Material& part, float share) {
+    if (share == 0) return;
     const int first_lobe = bsdf->count;
-    part->Evaluate(point, bsdf);
+    part.Evaluate(point, bsdf);
     bsdf->Mix(first_lobe, share);
-  }
+  };
+  add(first_, 1 - amount);
+  add(second_, amount);
 }
 
 bool MixMaterial::NeedsTextureCoordinates() const {

@@ -104,30 +104,22 @@ TEST(FloorBesideAWall, SeesThePartOfTheSkyThatTheWallLeaves) {
 
 // L1 = Le / (1 - r1 r2), L2 = r2 L1: two parallel planes without end, one of which emits.
 TEST(ParallelPlanes, ExchangeLightAsAGeometricSeries) {
-  const auto scene = CompileText(
-      "Camera { center 0 0 0 direction 0 0 -1 up 0 1 0 fov 90 }\n"
-      "Materials { Material { type diffuse albedo 0.3 0.3 0.3 } "
-      "Material { type diffuse albedo 0.8 0.8 0.8 } }\n"
-      "Scene { Node { Component<Material> { index 0 } "
-      "Component<Object> { type plane normal 0 0 1 offset -1 } "
-      "Component<Light> { type area radiance 1 1 1 } }\n"
-      "Node { Component<Material> { index 1 } "
-      "Component<Object> { type plane normal 0 0 1 offset 1 } } }");
-  IntegratorOptions options;
-  options.seed = 5;
-  const PathIntegrator integrator(*scene, options);
-  ExpectEstimate(EstimateRadiance(integrator, {0, 0}, 128, 1024), 1.315789);
-
-  const auto other = CompileText(
-      "Camera { center 0 0 0 direction 0 0 1 up 0 1 0 fov 90 }\n"
-      "Materials { Material { type diffuse albedo 0.3 0.3 0.3 } "
-      "Material { type diffuse albedo 0.8 0.8 0.8 } }\n"
-      "Scene { Node { Component<Material> { index 0 } "
-      "Component<Object> { type plane normal 0 0 1 offset -1 } "
-      "Component<Light> { type area radiance 1 1 1 } }\n"
-      "Node { Component<Material> { index 1 } "
-      "Component<Object> { type plane normal 0 0 1 offset 1 } } }");
-  ExpectEstimate(EstimateRadiance(PathIntegrator(*other, options), {0, 0}, 128, 1024), 1.052632);
+  const auto expect_seen = [](const char* direction, double expected) {
+    const auto scene = CompileText(std::string("Camera { center 0 0 0 direction ") + direction +
+                                   " up 0 1 0 fov 90 }\n"
+                                   "Materials { Material { type diffuse albedo 0.3 0.3 0.3 } "
+                                   "Material { type diffuse albedo 0.8 0.8 0.8 } }\n"
+                                   "Scene { Node { Component<Material> { index 0 } "
+                                   "Component<Object> { type plane normal 0 0 1 offset -1 } "
+                                   "Component<Light> { type area radiance 1 1 1 } }\n"
+                                   "Node { Component<Material> { index 1 } "
+                                   "Component<Object> { type plane normal 0 0 1 offset 1 } } }");
+    IntegratorOptions options;
+    options.seed = 5;
+    ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, options), {0, 0}, 128, 1024), expected);
+  };
+  expect_seen("0 0 -1", 1.315789);
+  expect_seen("0 0 1", 1.052632);
 }
 
 }  // namespace

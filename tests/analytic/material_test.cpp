@@ -81,39 +81,44 @@ TEST(WhiteBall, OfAMixtureOrAVeilIsInvisibleInTheFurnace) {
   ExpectInvisible(parts + "Material { name ball type mask material b opacity texture half }", 1e-5);
 }
 
-/// A glass plate from z = 0 to z = -1 in front of a black wall, seen head-on. What surrounds the
-/// camera has the first radiance, and the wall the second.
-std::string Plate(const std::string& glass, float around, float wall) {
+/// Something in front of a black wall, seen head-on: nodes whose material is `glass`, which
+/// `materials` names. What surrounds the camera has the first radiance, and the wall the second.
+std::string BeforeAWall(const std::string& materials, const std::string& nodes, float around,
+                        float wall) {
   return fmt::format(
       "Camera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 fov 90 }}\n"
-      "Background {{ color {1} {1} {1} }}\n"
-      "Materials {{ Material {{ name glass type dielectric ior 1.5 {0} }}\n"
-      "  Material {{ name black type diffuse albedo 0 0 0 }} }}\n"
-      "Scene {{\n"
-      "  Node {{ Component<Material> {{ name glass }}\n"
-      "    Component<Object> {{ type plane normal 0 0 1 offset 0 }} }}\n"
-      "  Node {{ Component<Material> {{ name glass }}\n"
-      "    Component<Object> {{ type plane normal 0 0 -1 offset 1 }} }}\n"
+      "Background {{ color {0} {0} {0} }}\n"
+      "Materials {{ Material {{ name black type diffuse albedo 0 0 0 }} {1} }}\n"
+      "Scene {{ {2}\n"
       "  Node {{ Component<Material> {{ name black }}\n"
       "    Component<Object> {{ type plane normal 0 0 1 offset -3 }}\n"
-      "    Component<Light> {{ type area radiance {2} {2} {2} }} }} }}",
-      glass, around, wall);
+      "    Component<Light> {{ type area radiance {3} {3} {3} }} }} }}",
+      around, materials, nodes, wall);
+}
+
+std::string PlaneOf(const char* material, const char* plane) {
+  return fmt::format(
+      "Node {{ Component<Material> {{ name {} }} Component<Object> {{ type plane {} }} }}\n",
+      material, plane);
+}
+
+std::string Glass(const std::string& params) {
+  return "Material { name glass type dielectric ior 1.5 " + params + " }";
+}
+
+/// The two faces of a glass plate from z = 0 to z = -1.
+std::string Faces() {
+  return PlaneOf("glass", "normal 0 0 1 offset 0") + PlaneOf("glass", "normal 0 0 -1 offset 1");
+}
+
+std::string Plate(const std::string& params, float around, float wall) {
+  return BeforeAWall(Glass(params), Faces(), around, wall);
 }
 
 /// The same plate as one surface without thickness.
-std::string Pane(const std::string& glass, float around, float wall) {
-  return fmt::format(
-      "Camera {{ center 0 0 5 direction 0 0 -1 up 0 1 0 fov 90 }}\n"
-      "Background {{ color {1} {1} {1} }}\n"
-      "Materials {{ Material {{ name glass type dielectric ior 1.5 thin true thickness 1 {0} }}\n"
-      "  Material {{ name black type diffuse albedo 0 0 0 }} }}\n"
-      "Scene {{\n"
-      "  Node {{ Component<Material> {{ name glass }}\n"
-      "    Component<Object> {{ type plane normal 0 0 1 offset 0 }} }}\n"
-      "  Node {{ Component<Material> {{ name black }}\n"
-      "    Component<Object> {{ type plane normal 0 0 1 offset -3 }}\n"
-      "    Component<Light> {{ type area radiance {2} {2} {2} }} }} }}",
-      glass, around, wall);
+std::string Pane(const std::string& params, float around, float wall) {
+  return BeforeAWall(Glass("thin true thickness 1 " + params),
+                     PlaneOf("glass", "normal 0 0 1 offset 0"), around, wall);
 }
 
 void ExpectHeadOn(const std::string& text, double expected) {
@@ -138,6 +143,28 @@ TEST(GlassPane, IsThePlateInOneSurface) {
   ExpectHeadOn(Pane("", 1, 0), 0.076923);
   ExpectHeadOn(Pane("absorption 0.5 0.5 0.5", 0, 1), 0.559308);
   ExpectHeadOn(Pane("absorption 0.5 0.5 0.5", 1, 0), 0.053569);
+}
+
+// A hole is nothing: the medium on both sides of it is the same.
+TEST(GlassPlate, TintedItAbsorbsBehindAHoleInsideAsWell) {
+  const std::string materials = Glass("absorption 0.5 0.5 0.5") +
+                                "Material { name nothing type mask material black opacity 0 }";
+  const std::string nodes = Faces() + PlaneOf("nothing", "normal 0 0 1 offset -0.25");
+  ExpectHeadOn(BeforeAWall(materials, nodes, 0, 1), 0.559308);
+}
+
+TEST(GlassPlate, TintedItAbsorbsAsAPartOfAMixture) {
+  const std::string materials =
+      "Material { name tinted type dielectric ior 1.5 absorption 0.5 0.5 0.5 }"
+      "Material { name glass type mix first tinted second tinted amount 0.25 }";
+  ExpectHeadOn(BeforeAWall(materials, Faces(), 0, 1), 0.559308);
+}
+
+// Nothing is reflected and nothing comes through: the choice between the two has no odds.
+TEST(GlassPane, WithoutReflectionAndOpaqueIsBlack) {
+  const std::string pane =
+      "Material { name glass type dielectric thin true thickness 1 ior 1 absorption 200 200 200 }";
+  ExpectHeadOn(BeforeAWall(pane, PlaneOf("glass", "normal 0 0 1 offset 0"), 1, 1), 0);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace {
 
 using testing_support::CompileText;
 using testing_support::Estimate;
+using testing_support::EstimateMean;
 using testing_support::EstimateRadiance;
 
 const std::string kCamera = "Camera { center 0 1 4  direction 0 -0.2 -1  up 0 1 0  fov 60 }\n";
@@ -67,27 +68,13 @@ void ExpectSame(const Estimate& a, const Estimate& b, double strength = 3e-3) {
 
 /// The mean of the whole picture, with its error from runs that do not depend on each other.
 Estimate EstimatePicture(const Integrator& integrator, uint32_t samples) {
-  constexpr uint32_t kRuns = 64;
-  const auto workspace = integrator.MakeWorkspace();
-  std::vector<SampleRequest> requests(samples);
-  std::vector<Spectrum> radiance(samples);
-  double sum = 0, squares = 0;
-  for (uint32_t run = 0; run < kRuns; ++run) {
-    for (uint32_t i = 0; i < samples; ++i) {
-      // Any evenly spread points do; these are multiples of two irrational numbers.
-      const double x = i * 0.7548776662466927, y = i * 0.5698402909980532;
-      const Vec2 point{static_cast<float>(2 * (x - std::floor(x)) - 1),
-                       static_cast<float>(2 * (y - std::floor(y)) - 1)};
-      requests[i] = {run, 0, i, point};
-    }
-    integrator.Trace(requests, workspace.get(), radiance);
-    double mean = 0;
-    for (const Spectrum& value : radiance) mean += static_cast<double>(value[0]) / samples;
-    sum += mean;
-    squares += mean * mean;
-  }
-  const double mean = sum / kRuns;
-  return {mean, std::sqrt(std::max(0.0, squares / kRuns - mean * mean) / (kRuns - 1))};
+  // Any evenly spread points do; these are multiples of two irrational numbers.
+  const auto point = [](uint32_t i) {
+    const double x = i * 0.7548776662466927, y = i * 0.5698402909980532;
+    return Vec2{static_cast<float>(2 * (x - std::floor(x)) - 1),
+                static_cast<float>(2 * (y - std::floor(y)) - 1)};
+  };
+  return EstimateMean(integrator, point, 64, samples);
 }
 
 /// With a seed for each kind of technique, so that estimates do not depend on each other.

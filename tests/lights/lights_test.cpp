@@ -35,6 +35,13 @@ TEST(PointLight, GivesNothingToThePointItShinesFrom) {
   EXPECT_EQ(sample.direction, (Vec3{0, 0, 0}));
 }
 
+// The course has light that takes away; it must be chosen to do so.
+TEST(PointLight, HasAPowerWhateverTheSignsOfItsColour) {
+  EXPECT_GT(PointLight({}, {1, -0.5f, -0.5f}, 1).Reach().power, 0);
+  EXPECT_GT(PointLight({}, {-1, -1, -1}, 1).Reach().power, 0);
+  EXPECT_EQ(PointLight({}, {0, 0, 0}, 1).Reach().power, 0);
+}
+
 TEST(PointLight, StandsInTheOriginOfItsNode) {
   const LightContext context{Transform(Mat4::Translate({0, 7, 0}) * Mat4::Scale({2, 2, 2})), false};
   const TypedSpec spec{"point", {}, {{{"attenuation", {}, {{"1", {}}}}}}};

@@ -17,17 +17,18 @@ struct Estimate {
   double error = 0;
 };
 
-/// The red radiance that `integrator` sees through an image point. The samples of a pixel are
-/// spread evenly and depend on each other, so the error is taken from many pixels that all look
-/// through the same point.
-inline Estimate EstimateRadiance(const Integrator& integrator, Vec2 image_point, uint32_t pixels,
-                                 uint32_t samples) {
+/// The mean of the red radiance that `integrator` sees through image points; `point(i)` is that of
+/// sample i. The samples of a pixel are spread evenly and depend on each other, so the error is
+/// taken from many pixels that all look through the same points.
+template <class Point>
+Estimate EstimateMean(const Integrator& integrator, Point point, uint32_t pixels,
+                      uint32_t samples) {
   const auto workspace = integrator.MakeWorkspace();
   std::vector<SampleRequest> requests(samples);
   std::vector<Spectrum> radiance(samples);
   double sum = 0, squares = 0;
   for (uint32_t pixel = 0; pixel < pixels; ++pixel) {
-    for (uint32_t i = 0; i < samples; ++i) requests[i] = {pixel, 0, i, image_point};
+    for (uint32_t i = 0; i < samples; ++i) requests[i] = {pixel, 0, i, point(i)};
     integrator.Trace(requests, workspace.get(), radiance);
     double mean = 0;
     for (const Spectrum& value : radiance) mean += static_cast<double>(value[0]) / samples;
@@ -37,6 +38,13 @@ inline Estimate EstimateRadiance(const Integrator& integrator, Vec2 image_point,
   const double mean = sum / pixels;
   const double variance = std::max(0.0, squares / pixels - mean * mean) / (pixels - 1);
   return {mean, std::sqrt(variance)};
+}
+
+/// The red radiance through one image point.
+inline Estimate EstimateRadiance(const Integrator& integrator, Vec2 image_point, uint32_t pixels,
+                                 uint32_t samples) {
+  return EstimateMean(
+      integrator, [=](uint32_t) { return image_point; }, pixels, samples);
 }
 
 /// The mean is the expected one by 4.7 standard errors, and these are at most 0.1 percent of it, so

@@ -19,8 +19,13 @@ struct DegenerateScene {
   bool has_rays_in_plane = false;
 };
 
-/// Geometry that nobody means to make: nothing, a million times the same, without area, huge, tiny,
-/// not a number, moving through a point, and so on.
+// Geometry that nobody means to make.
+
+/// Meshes: nothing, a million times the same, without area, flat, huge, tiny, not a number.
+std::vector<DegenerateScene> DegenerateMeshes();
+/// Instances, motion, and primitives of sets.
+std::vector<DegenerateScene> DegenerateGroups();
+/// All of them.
 const std::vector<DegenerateScene>& DegenerateScenes();
 
 /// A group of instances of another; for each of them its matrices at the time steps.

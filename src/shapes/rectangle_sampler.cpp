@@ -18,10 +18,14 @@ class RectangleSampler final : public SurfaceSampler {
         side_y_(ToDouble(side_y)),
         center_(corner + side_x * 0.5f + side_y * 0.5f),
         n_(n) {
+    width_ = Length(side_x_);
+    height_ = Length(side_y_);
+    along_x_ = Normalize(side_x_);
+    along_y_ = Normalize(side_y_);
+    along_n_ = Cross(along_x_, along_y_);
     area_ = Length(Cross(side_x_, side_y_));
-    size_ = std::max(Length(side_x), Length(side_y));
-    const double slant = std::abs(Dot(side_x_, side_y_));
-    is_right_angled_ = slant <= 1e-6 * Length(side_x_) * Length(side_y_);
+    size_ = static_cast<float>(std::max(width_, height_));
+    is_right_angled_ = std::abs(Dot(along_x_, along_y_)) <= 1e-6;
   }
 
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
@@ -51,15 +55,17 @@ class RectangleSampler final : public SurfaceSampler {
 
   bool IsByArea(Vec3 from) const { return !is_right_angled_ || IsFar(from, center_, size_); }
   SphericalRectangle SeenFrom(Vec3 from) const {
-    return {corner_ - ToDouble(from), side_x_, side_y_};
+    const Vec3d way = corner_ - ToDouble(from);
+    return {Vec3d{Dot(way, along_x_), Dot(way, along_y_), Dot(way, along_n_)}, width_, height_};
   }
   Vec3 PointAt(Vec2 place) const {
     return ToFloat(corner_ + side_x_ * double{place.x} + side_y_ * double{place.y});
   }
 
   Vec3d corner_, side_x_, side_y_;
+  Vec3d along_x_, along_y_, along_n_;  ///< The unit axes of coordinates in the plane.
+  double width_, height_, area_;
   Vec3 center_, n_;
-  double area_;
   float size_;
   bool is_right_angled_;
 };
@@ -69,10 +75,9 @@ class RectangleSampler final : public SurfaceSampler {
 std::unique_ptr<const SurfaceSampler> Rectangle::MakeSampler(
     const Transform& world_from_object, const Transform& object_from_world) const {
   return std::make_unique<RectangleSampler>(
-      world_from_object.Point({-half_width_, -half_height_, 0}),
-      world_from_object.Vector({2 * half_width_, 0, 0}),
-      world_from_object.Vector({0, 2 * half_height_, 0}),
-      NormalizeAnyLength(object_from_world.TransposedVector({0, 0, 1})));
+      world_from_object.Point(corners_[0]), world_from_object.Vector(SideX()),
+      world_from_object.Vector(SideY()),
+      NormalizeAnyLength(object_from_world.TransposedVector(normal_)));
 }
 
 }  // namespace candela

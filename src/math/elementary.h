@@ -29,6 +29,8 @@ struct SineAndCosine {
   double sin, cos;
 };
 SineAndCosine SinCos(float x);
+/// The same bits in less time for an angle of at most an eighth turn, |x| <= pi/4.
+SineAndCosine SinCosOfEighthTurn(float x);
 
 /// The same of an angle in degrees, of any size; exact at multiples of 90 (where a zero is +0 and
 /// the tangent +-infinity), at 30, 45, 60 where the result is 1/2 or 1, and so on around the

@@ -86,16 +86,8 @@ SinCosPair SinCosOf(const ReducedAngle& angle) {
   }
 }
 
-/// Both functions in double precision, to about 1e-12 of their value; for float results.
-SineAndCosine FastSinCosOf(float angle) {
-  if (!std::isfinite(angle)) return {kNaN, kNaN};
-  double turned = angle;
-  if (std::abs(turned) > 1e6) turned = std::fmod(turned, 2 * kPi);
-  const double turns = turned * (2 / kPi);
-  const auto n = static_cast<int>(turns < 0 ? turns - 0.5 : turns + 0.5);
-  // The first difference is exact. No float is so near to a multiple of pi / 2 that the others lose
-  // digits that a float would have.
-  const double x = ((turned - n * kHalfPi1) - n * kHalfPi2) - n * kHalfPi3;
+/// Both functions on [-pi/4, pi/4] in double precision, to about 1e-12 of their value.
+SineAndCosine FastSinCosOfRest(double x) {
   const double x2 = x * x;
   const double s =
       x + x * x2 *
@@ -107,6 +99,20 @@ SineAndCosine FastSinCosOf(float angle) {
       1 - x2 * (0.5 - x2 * (1.0 / 24 -
                             x2 * (1.0 / 720 - x2 * (1.0 / 40320 - x2 * (1.0 / 3628800 -
                                                                         x2 * (1.0 / 479001600))))));
+  return {s, c};
+}
+
+/// Both functions in double precision, to about 1e-12 of their value; for float results.
+SineAndCosine FastSinCosOf(float angle) {
+  if (!std::isfinite(angle)) return {kNaN, kNaN};
+  double turned = angle;
+  if (std::abs(turned) > 1e6) turned = std::fmod(turned, 2 * kPi);
+  const double turns = turned * (2 / kPi);
+  const auto n = static_cast<int>(turns < 0 ? turns - 0.5 : turns + 0.5);
+  // The first difference is exact. No float is so near to a multiple of pi / 2 that the others lose
+  // digits that a float would have.
+  const double x = ((turned - n * kHalfPi1) - n * kHalfPi2) - n * kHalfPi3;
+  const auto [s, c] = FastSinCosOfRest(x);
   switch (static_cast<unsigned>(n) & 3) {
     case 0:
       return {s, c};
@@ -166,6 +172,10 @@ double TanDegrees(double degrees) {
 
 SineAndCosine SinCos(float x) {
   return FastSinCosOf(x);
+}
+
+SineAndCosine SinCosOfEighthTurn(float x) {
+  return FastSinCosOfRest(x);
 }
 
 float Sin(float x) {

@@ -37,26 +37,32 @@ double AngleOf(double x0, double x1, double y0, double y1, double z) {
   return angle >= 0 ? angle : angle < -1e-3f ? angle + 2 * kPi : 0;
 }
 
+Vec3d AlongSides(Vec3d corner, Vec3d x, Vec3d y) {
+  return {Dot(corner, x), Dot(corner, y), Dot(corner, Cross(x, y))};
+}
+
 }  // namespace
 
-SphericalRectangle::SphericalRectangle(Vec3d corner, Vec3d side_x, Vec3d side_y) {
-  const double width = Length(side_x), height = Length(side_y);
-  const Vec3d x = side_x * (1 / width), y = side_y * (1 / height);
-  x0_ = Dot(corner, x);
-  y0_ = Dot(corner, y);
-  x1_ = x0_ + width;
-  y1_ = y0_ + height;
-  z_ = -std::abs(Dot(corner, Cross(x, y)));
-  solid_angle_ = AngleOf(x0_, x1_, y0_, y1_, -z_);
-}
+SphericalRectangle::SphericalRectangle(Vec3d corner, Vec3d side_x, Vec3d side_y)
+    : SphericalRectangle(AlongSides(corner, Normalize(side_x), Normalize(side_y)), Length(side_x),
+                         Length(side_y)) {}
+
+SphericalRectangle::SphericalRectangle(Vec3d corner, double width, double height)
+    : x0_(corner.x),
+      x1_(corner.x + width),
+      y0_(corner.y),
+      y1_(corner.y + height),
+      z_(-std::abs(corner.z)),
+      solid_angle_(AngleOf(x0_, x1_, y0_, y1_, -z_)) {}
 
 Vec2 SphericalRectangle::Sample(Vec2 u) const {
   // Cosines of the planes through the origin and the sides y = y0 and y = y1.
-  const double b0 = -y0_ / std::sqrt(y0_ * y0_ + z_ * z_);
-  const double b1 = y1_ / std::sqrt(y1_ * y1_ + z_ * z_);
+  const double z2 = z_ * z_, inverse0 = 1 / std::sqrt(y0_ * y0_ + z2);
+  const double b0 = -y0_ * inverse0;
+  const double b1 = y1_ / std::sqrt(y1_ * y1_ + z2);
   // The inner angles at the corners of x = x0; their sum less pi is what the part to the left of a
   // line x = const lacks.
-  const double a0 = -x0_ / std::sqrt(x0_ * x0_ + z_ * z_);
+  const double a0 = -x0_ / std::sqrt(x0_ * x0_ + z2);
   const auto turn_of_cosine = [](double cosine) {
     return Turn{cosine, std::sqrt(std::max(0.0, 1 - cosine * cosine))};
   };
@@ -64,15 +70,17 @@ Vec2 SphericalRectangle::Sample(Vec2 u) const {
   // The first number is the part of the solid angle left of the line.
   const SineAndCosine part = SinCos(static_cast<float>(double{u.x} * solid_angle_));
   const Turn angle = Turn{part.cos, part.sin} * less.Back();
-  const double f = (angle.re * b0 - b1) / angle.im;
-  const double c = std::clamp(std::copysign(1 / std::sqrt(f * f + b0 * b0), f), -1.0, 1.0);
-  double x = -(c * z_) / std::sqrt(std::max(1 - c * c, 1e-300));
-  x = std::clamp(x, x0_, x1_);
+  // With f = (angle.re b0 - b1) / angle.im the line is at -+z / sqrt(f^2 + b0^2 - 1); both sides of
+  // the fraction are left with angle.im, which spares a division.
+  const double f = angle.re * b0 - b1, sine_0 = z_ * inverse0 * angle.im;
+  const double squared = std::max(f * f - sine_0 * sine_0, 1e-300);
+  const double size = std::abs(z_ * angle.im) / std::sqrt(squared);
+  const double x = std::clamp((f < 0) == (angle.im < 0) ? size : -size, x0_, x1_);
   // On the line, the height of a direction over the plane y = 0 is evenly spread.
-  const double d2 = x * x + z_ * z_;
+  const double d2 = x * x + z2;
   const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_), h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
   const double h = h0 + double{u.y} * (h1 - h0);
-  const double y = h * h < 1 ? h * std::sqrt(d2) / std::sqrt(1 - h * h) : y1_;
+  const double y = h * h < 1 ? h * std::sqrt(d2 / (1 - h * h)) : y1_;
   return {static_cast<float>(std::clamp((x - x0_) / (x1_ - x0_), 0.0, 1.0)),
           static_cast<float>(std::clamp((y - y0_) / (y1_ - y0_), 0.0, 1.0))};
 }

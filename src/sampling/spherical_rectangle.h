@@ -11,6 +11,9 @@ class SphericalRectangle {
  public:
   /// One corner as seen from the origin, and the sides from there, which are orthogonal.
   SphericalRectangle(Vec3d corner, Vec3d side_x, Vec3d side_y);
+  /// The same in coordinates along the sides and a normal of the rectangle: its sides go from
+  /// `corner` along the first two axes.
+  SphericalRectangle(Vec3d corner, double width, double height);
 
   /// In steradian, from 0 to 2 pi.
   double SolidAngle() const { return solid_angle_; }

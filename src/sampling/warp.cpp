@@ -29,10 +29,10 @@ Vec2 SampleDisk(Vec2 u) {
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
   // other coordinate runs along the arc.
   if (std::abs(x) > std::abs(y)) {
-    const auto [sine, cosine] = SinCos(kQuarterPi * (y / x));
+    const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (y / x));
     return {x * static_cast<float>(cosine), x * static_cast<float>(sine)};
   }
-  const auto [sine, cosine] = SinCos(kQuarterPi * (x / y));
+  const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (x / y));
   return {y * static_cast<float>(sine), y * static_cast<float>(cosine)};
 }
 

@@ -60,6 +60,16 @@ TEST(Trigonometry, SpecialValues) {
 
 // Beyond 1e6 the angle is off by less than half an ulp of itself, so the pair still lies on the
 // circle and the sine is that of a neighbour.
+TEST(Trigonometry, OfAnEighthTurnIsThatOfAnyAngle) {
+  const auto limit = static_cast<float>(kPi / 4);
+  for (int i = -1000; i <= 1000; ++i) {
+    const float x = limit * (static_cast<float>(i) / 1000);
+    const SineAndCosine small = SinCosOfEighthTurn(x), any = SinCos(x);
+    ASSERT_EQ(small.sin, any.sin) << x;
+    ASSERT_EQ(small.cos, any.cos) << x;
+  }
+}
+
 TEST(Trigonometry, HugeAnglesStayOnTheCircle) {
   for (double x = 1e6; x < 1e300; x *= 1.37) {
     const double s = Sin(x), c = Cos(x);

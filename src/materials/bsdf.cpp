@@ -29,15 +29,38 @@ void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
   sample->weight = value * (1 / sample->pdf);
 }
 
+// Both of directions in the frame of the Bsdf.
+
+Spectrum EvalLocal(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+  Spectrum sum;
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
+    sum += EvalLobe(bsdf.lobes[lobe], wo, wi) * bsdf.lobes[lobe].share;
+  }
+  return sum;
+}
+
+float PdfLocal(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+  if (!(bsdf.pick_sum > 0)) return 0;
+  float sum = 0;
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
+    sum += bsdf.lobes[lobe].pick * LobePdf(bsdf.lobes[lobe], wo, wi);
+  }
+  return sum / bsdf.pick_sum;
+}
+
 }  // namespace
 
 Spectrum Eval(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+  return EvalLocal(bsdf, bsdf.frame.ToLocal(wo), bsdf.frame.ToLocal(wi));
+}
+
+float Pdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+  return PdfLocal(bsdf, bsdf.frame.ToLocal(wo), bsdf.frame.ToLocal(wi));
+}
+
+BsdfValue EvalWithPdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
   const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
-  Spectrum sum;
-  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
-    sum += EvalLobe(bsdf.lobes[lobe], o, i) * bsdf.lobes[lobe].share;
-  }
-  return sum;
+  return {EvalLocal(bsdf, o, i), PdfLocal(bsdf, o, i)};
 }
 
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
@@ -64,16 +87,6 @@ BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
           is_transmission,
           is_transmission && kind != LobeKind::kHole && kind != LobeKind::kPane,
           sample.eta};
-}
-
-float Pdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
-  if (!(bsdf.pick_sum > 0)) return 0;
-  const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
-  float sum = 0;
-  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
-    sum += bsdf.lobes[lobe].pick * LobePdf(bsdf.lobes[lobe], o, i);
-  }
-  return sum / bsdf.pick_sum;
 }
 
 }  // namespace candela

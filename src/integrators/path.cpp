@@ -19,6 +19,8 @@ constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 // measured over the scenes of bench/render, where earlier ends cost more in noise than they save.
 constexpr uint32_t kRouletteAfter = 2;
 constexpr float kSurvivalOfShare = 2;
+// From this bounce on no path is sure to survive, so that even those without any loss end.
+constexpr uint32_t kUncertainAfter = 4;
 
 // What the dimensions of a bounce are used for.
 enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
@@ -338,7 +340,8 @@ bool PathIntegrator::Scatter(uint32_t bounce, const Vertex& vertex, Path* path, 
   // A path that carries little power ends often, and counts for more when it does not.
   if (techniques_.roulette && bounce >= kRouletteAfter) {
     const float share = path->throughput.MaxComponent() * path->eta_squared;
-    const float survival = std::min(0.95f, kSurvivalOfShare * share);
+    const float most = bounce < kUncertainAfter ? 1 : 0.95f;
+    const float survival = std::min(most, kSurvivalOfShare * share);
     if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }

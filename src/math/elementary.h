@@ -29,7 +29,8 @@ struct SineAndCosine {
   double sin, cos;
 };
 SineAndCosine SinCos(float x);
-/// The same bits in less time for an angle of at most an eighth turn, |x| <= pi/4.
+/// The same in less time for an angle of at most an eighth turn, |x| <= pi/4; the same bits, unless
+/// it is so near to that that rounding counts it to the next quarter.
 SineAndCosine SinCosOfEighthTurn(float x);
 
 /// The same of an angle in degrees, of any size; exact at multiples of 90 (where a zero is +0 and

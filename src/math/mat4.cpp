@@ -52,19 +52,6 @@ Mat4 operator*(const Mat4& a, const Mat4& b) {
   return product;
 }
 
-Vec3d TransformPoint(const Mat4& a, Vec3d p) {
-  const auto coordinate = [&](size_t i) {
-    return a.m[i][0] * p.x + a.m[i][1] * p.y + a.m[i][2] * p.z + a.m[i][3];
-  };
-  return {coordinate(0), coordinate(1), coordinate(2)};
-}
-
-Vec3d TransformNormal(const Mat4& object_from_world, Vec3d n) {
-  const auto& m = object_from_world.m;
-  const auto coordinate = [&](size_t j) { return m[0][j] * n.x + m[1][j] * n.y + m[2][j] * n.z; };
-  return {coordinate(0), coordinate(1), coordinate(2)};
-}
-
 std::optional<Mat4> InverseAffine(const Mat4& a) {
   // The inverse of the linear part is its adjugate over the determinant; its rows are the cross
   // products of the columns.

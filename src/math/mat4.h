@@ -23,12 +23,6 @@ struct Mat4 {
 
 Mat4 operator*(const Mat4& a, const Mat4& b);
 
-/// Where an affine matrix takes a point.
-Vec3d TransformPoint(const Mat4& a, Vec3d p);
-/// Multiplies by the transpose of the linear part: takes normals from object to world when the
-/// matrix leads from world to object.
-Vec3d TransformNormal(const Mat4& object_from_world, Vec3d n);
-
 /// The inverse of an affine matrix (last row 0 0 0 1), or nothing when it is singular: when the
 /// inverse or the matrix itself is not finite in single precision.
 std::optional<Mat4> InverseAffine(const Mat4& a);

@@ -14,9 +14,6 @@ class Transform {
   explicit Transform(const Mat4& matrix);
 
   Vec3 Point(Vec3 p) const { return Vector(p) + offset_; }
-  /// Whether points stay where they are.
-  bool IsIdentity() const { return is_translation_ && offset_ == Vec3(); }
-
   Vec3 Vector(Vec3 v) const { return is_translation_ ? v : x_ * v.x + y_ * v.y + z_ * v.z; }
 
   /// Bound on the error of `Point(p)` in each coordinate, when `p` itself is known to `p_error`.

@@ -251,7 +251,8 @@ class SceneCompiler {
       if (object.shape->Triangles()) {
         const size_t copies = users[object.shape.get()];
         object.is_instance = copies > 1 && copies * object.shape->PrimitiveCount() > kFewTriangles;
-        if (!object.is_instance && !Bake(places_[i], &object)) continue;
+        object.is_baked = !object.is_instance;
+        if (object.is_baked && !Bake(places_[i], &object)) continue;
       }
       if (left != i) {
         scene_->objects_[left] = std::move(object);

@@ -26,7 +26,7 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
   SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
   if (object.is_textured) object.shape->AddTextureCoordinates(hit, &local);
-  if (object.world_from_object.IsIdentity()) {  // Like all triangles that are baked.
+  if (object.is_baked) {
     if (local.n_shading != local.n_geometric) local.n_shading = NormalizeAnyLength(local.n_shading);
     return local;
   }

@@ -13,6 +13,12 @@ Vec3d Row(const Mat4& a, int i) {
           a.m[static_cast<size_t>(i)][2]};
 }
 
+Vec3 Point(const Mat4& a, Vec3 p) {
+  const Vec3d v = ToDouble(p);
+  const auto coordinate = [&](int i) { return Dot(Row(a, i), v) + a.m[static_cast<size_t>(i)][3]; };
+  return ToFloat({coordinate(0), coordinate(1), coordinate(2)});
+}
+
 bool IsMirroring(const Mat4& a) {
   return Dot(Row(a, 0), Cross(Row(a, 1), Row(a, 2))) < 0;
 }
@@ -44,7 +50,11 @@ class NormalMap {
  private:
   static constexpr double kLong = 0x1p100;
 
-  Vec3d InDouble(Vec3 n) const { return TransformNormal(object_from_world_, ToDouble(n)); }
+  Vec3d InDouble(Vec3 n) const {
+    const Vec3d v = ToDouble(n);
+    return Row(object_from_world_, 0) * v.x + Row(object_from_world_, 1) * v.y +
+           Row(object_from_world_, 2) * v.z;
+  }
 
   const Mat4& object_from_world_;
   double longest_ = 0, shortest_ = std::numeric_limits<double>::infinity();
@@ -61,9 +71,7 @@ std::shared_ptr<const Shape> Mesh::Baked(const Mat4& world_from_object) const {
   baked->is_mirrored_ = is_mirrored_ != IsMirroring(world_from_object);
 
   baked->own_positions_.reserve(positions_.size());
-  for (const Vec3 p : positions_) {
-    baked->own_positions_.push_back(ToFloat(TransformPoint(world_from_object, ToDouble(p))));
-  }
+  for (const Vec3 p : positions_) baked->own_positions_.push_back(Point(world_from_object, p));
   baked->positions_ = baked->own_positions_;
   for (const Corners& corners : spec_->triangles) {
     for (const uint32_t corner : corners) {

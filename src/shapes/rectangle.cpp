@@ -1,82 +1,49 @@
 #include "shapes/rectangle.h"
 
-#include <algorithm>
-
-#include "geometry/triangle.h"
+#include <cmath>
 
 namespace candela {
-namespace {
-
-constexpr std::array<std::array<uint32_t, 3>, 2> kTriangles = {{{0, 1, 2}, {0, 2, 3}}};
-
-/// Where a hit lies, in parts of the sides. Both triangles begin in the corner of the origin; the
-/// diagonal from there is a side of each.
-Vec2 PlaceOf(const HitRecord& hit) {
-  const float sum = std::min(hit.u + hit.v, 1.0f);
-  return hit.primitive == 0 ? Vec2{sum, hit.v} : Vec2{hit.u, sum};
-}
-
-}  // namespace
 
 std::shared_ptr<const Shape> Rectangle::Create(ParamReader* params, ShapeContext*) {
   const float width = params->RequiredPositive("width");
   const float height = params->RequiredPositive("height");
-  return std::make_shared<Rectangle>(width, height);
-}
-
-Rectangle::Rectangle(float width, float height) : normal_{0, 0, 1} {
-  const float x = width / 2, y = height / 2;
-  corners_ = {{{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}}};
+  return std::make_unique<Rectangle>(width, height);
 }
 
 Bounds3 Rectangle::ObjectBounds() const {
-  Bounds3 bounds;
-  for (const Vec3& corner : corners_) bounds.Extend(corner);
-  return bounds;
+  return {{-half_width_, -half_height_, 0}, {half_width_, half_height_, 0}};
 }
 
+// The ray meets the plane z = 0 where o.z + t d.z = 0.
 bool Rectangle::Intersect(const Ray& ray, HitRecord* hit) const {
-  const ShearedRay sheared(ray);
-  bool found = false;
-  for (uint32_t i = 0; i < kTriangles.size(); ++i) {
-    const auto& [a, b, c] = kTriangles[i];
-    if (!IntersectTriangle(sheared, ray.t_min, corners_[a], corners_[b], corners_[c], hit)) {
-      continue;
-    }
-    hit->primitive = i;
-    found = true;
-  }
-  return found;
+  if (ray.direction.z == 0) return false;  // Parallel: it is seen edge-on.
+
+  const float t = -ray.origin.z / ray.direction.z;
+  if (!(t >= ray.t_min && t < hit->t)) return false;  // Written so that NaN is a miss.
+  const Vec3 p = ray.At(t);
+  if (!(std::abs(p.x) <= half_width_ && std::abs(p.y) <= half_height_)) return false;
+
+  hit->t = t;
+  hit->u = p.x;
+  hit->v = p.y;
+  hit->primitive = 0;
+  return true;
 }
 
-SurfacePoint Rectangle::SurfaceAt(const Ray&, const HitRecord& hit) const {
-  const auto& [ia, ib, ic] = kTriangles[hit.primitive];
-  const Vec3 a = corners_[ia], b = corners_[ib], c = corners_[ic];
-  return {TrianglePoint(a, b, c, hit.u, hit.v), TrianglePointError(a, b, c, hit.u, hit.v), normal_,
-          normal_};
+SurfacePoint Rectangle::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
+  // In its plane the point is exact; along it, t, the product and the sum were rounded.
+  Vec3 error = (Abs(ray.origin) + Abs(ray.direction * hit.t)) * 2e-7f;
+  error.z = 0;
+  const Vec3 n{0, 0, 1};
+  return {{hit.u, hit.v, 0}, error, n, n};
 }
 
 // From 0 to 1 along either side.
 void Rectangle::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
-  point->uv = PlaceOf(hit);
-  point->dpdu = SideX();
-  point->dpdv = SideY();
-}
-
-std::optional<TriangleInput> Rectangle::Triangles() const {
-  return TriangleInput{corners_, kTriangles};
-}
-
-std::shared_ptr<const Shape> Rectangle::Baked(const Mat4& world_from_object) const {
-  const auto object_from_world = InverseAffine(world_from_object);
-  if (!object_from_world) return nullptr;
-  std::shared_ptr<Rectangle> baked(new Rectangle());
-  for (size_t i = 0; i < corners_.size(); ++i) {
-    baked->corners_[i] = ToFloat(TransformPoint(world_from_object, ToDouble(corners_[i])));
-    if (!IsFinite(baked->corners_[i])) return nullptr;
-  }
-  baked->normal_ = ToFloat(Normalize(TransformNormal(*object_from_world, ToDouble(normal_))));
-  return baked;
+  const float width = 2 * half_width_, height = 2 * half_height_;
+  point->uv = {0.5f + hit.u / width, 0.5f + hit.v / height};
+  point->dpdu = {width, 0, 0};
+  point->dpdv = {0, height, 0};
 }
 
 }  // namespace candela

@@ -75,9 +75,10 @@ class RectangleSampler final : public SurfaceSampler {
 std::unique_ptr<const SurfaceSampler> Rectangle::MakeSampler(
     const Transform& world_from_object, const Transform& object_from_world) const {
   return std::make_unique<RectangleSampler>(
-      world_from_object.Point(corners_[0]), world_from_object.Vector(SideX()),
-      world_from_object.Vector(SideY()),
-      NormalizeAnyLength(object_from_world.TransposedVector(normal_)));
+      world_from_object.Point({-half_width_, -half_height_, 0}),
+      world_from_object.Vector({2 * half_width_, 0, 0}),
+      world_from_object.Vector({0, 2 * half_height_, 0}),
+      NormalizeAnyLength(object_from_world.TransposedVector({0, 0, 1})));
 }
 
 }  // namespace candela

@@ -34,7 +34,8 @@ class Shape {
   virtual bool Occludes(const Ray& ray) const;
 
   /// Position and normals of a hit found by `Intersect`, in object space; normals have any length
-  /// but 0. Kept apart because most hits found during traversal are replaced by nearer ones.
+  /// but 0, the geometric one of a shape of triangles has length 1. Kept apart because most hits
+  /// found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
 
   /// Adds texture coordinates, and how the point moves with them, to what `SurfaceAt` gave. Kept

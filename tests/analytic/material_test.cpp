@@ -123,7 +123,7 @@ std::string Pane(const std::string& params, float around, float wall) {
 
 void ExpectHeadOn(const std::string& text, double expected) {
   const auto scene = CompileText(text);
-  ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, SeedOne()), {0, 0}, 256, 2048), expected);
+  ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, SeedOne()), {0, 0}, 512, 2048), expected);
 }
 
 // T = (1 - R)^2 a / (1 - R^2 a^2) of the light behind, R + R (1 - R)^2 a^2 / (1 - R^2 a^2) of that

@@ -45,7 +45,8 @@ TEST(Path, NBouncesGiveThePartialSum) {
   double sum = 0;
   for (uint32_t n = 0; n <= 4; ++n) {
     sum += 0.5 * std::pow(0.5, n);
-    const auto estimate = EstimateRadiance(PathIntegrator(*scene, Bounces(n)), {0, 0}, 2, 16);
+    const PathIntegrator integrator(*scene, Bounces(n), {.roulette = false});
+    const auto estimate = EstimateRadiance(integrator, {0, 0}, 2, 16);
     EXPECT_NEAR(estimate.mean, sum, 1e-6) << n;
     EXPECT_NEAR(estimate.error, 0, 1e-6) << n;
   }
@@ -74,7 +75,7 @@ TEST(Path, BounceZeroSeesWhatShinesAndNothingElse) {
 
 TEST(Path, CountsItsRays) {
   const auto scene = CompileText(Room(0.5, 0.5));
-  const PathIntegrator integrator(*scene, Bounces(3));
+  const PathIntegrator integrator(*scene, Bounces(3), {.roulette = false});
   const auto workspace = integrator.MakeWorkspace();
   const SampleRequest requests[2] = {};
   Spectrum radiance[2];

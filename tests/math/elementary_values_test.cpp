@@ -61,7 +61,7 @@ TEST(Trigonometry, SpecialValues) {
 // Beyond 1e6 the angle is off by less than half an ulp of itself, so the pair still lies on the
 // circle and the sine is that of a neighbour.
 TEST(Trigonometry, OfAnEighthTurnIsThatOfAnyAngle) {
-  const auto limit = static_cast<float>(kPi / 4);
+  const float limit = 0.785398f;
   for (int i = -1000; i <= 1000; ++i) {
     const float x = limit * (static_cast<float>(i) / 1000);
     const SineAndCosine small = SinCosOfEighthTurn(x), any = SinCos(x);

@@ -39,36 +39,6 @@ TEST(RectangleSurface, LiesInItsPlaneAndLooksUp) {
   EXPECT_EQ(point.n_geometric, (Vec3{0, 0, 1}));
 }
 
-TEST(RectangleTexture, RunsFromZeroToOneAlongBothSides) {
-  const Rectangle rectangle(4, 2);
-  for (const Vec2 place : {Vec2{0.25f, 0.75f}, Vec2{0.75f, 0.25f}, Vec2{0.5f, 0.5f}}) {
-    const Ray ray = RayDownTo(4 * place.x - 2, 2 * place.y - 1);
-    HitRecord hit;
-    ASSERT_TRUE(rectangle.Intersect(ray, &hit));
-    SurfacePoint point = rectangle.SurfaceAt(ray, hit);
-    rectangle.AddTextureCoordinates(hit, &point);
-    EXPECT_EQ(point.uv, place);
-    EXPECT_EQ(point.dpdu, (Vec3{4, 0, 0}));
-    EXPECT_EQ(point.dpdv, (Vec3{0, 2, 0}));
-  }
-}
-
-TEST(RectangleBaked, IsTheSameParallelogramInTheWorld) {
-  const Mat4 to_world = Mat4::Translate({1, 2, 3}) * Mat4::Rotate(0, 90) * Mat4::Scale({1, 3, -1});
-  const auto baked = Rectangle(2, 1).Baked(to_world);
-  ASSERT_TRUE(baked);
-  const Bounds3 box = baked->ObjectBounds();
-  EXPECT_NEAR(box.min.z, 1.5f, 1e-6f);
-  EXPECT_NEAR(box.max.z, 4.5f, 1e-6f);
-  const Ray ray({1.5f, -5, 3.5f}, {0, 1, 0});
-  HitRecord hit;
-  ASSERT_TRUE(baked->Intersect(ray, &hit));
-  EXPECT_NEAR(hit.t, 7, 1e-5f);
-  // The scale has turned the rectangle over, and its normal with it.
-  const SurfacePoint point = baked->SurfaceAt(ray, hit);
-  EXPECT_NEAR(point.n_geometric.y, 1, 1e-6f);
-}
-
 TEST(DiskIntersect, FindsThePlaneWithinTheRadius) {
   HitRecord hit;
   ASSERT_TRUE(Disk(2).Intersect(RayDownTo(1, -1), &hit));

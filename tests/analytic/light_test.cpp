@@ -6,11 +6,13 @@
 
 #include <string>
 
+#include "image/image_file.h"
 #include "integrators/path.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
 #include "tests/support/compile_text.h"
 #include "tests/support/estimate.h"
+#include "tests/support/temp_folder.h"
 
 namespace candela {
 namespace {
@@ -104,6 +106,26 @@ TEST(FloorBesideAWall, SeesThePartOfTheSkyThatTheWallLeaves) {
       CompileText("Background { color 1 1 1 ambient_light 0 0 0 }\n" + FloorUnder(wall));
   ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, OneBounce()), {0, 0}, 128, 2048),
                  2.681517 / kPi);
+}
+
+// A picture of the sky without any light is no light: it is never chosen, and the lamp gives what
+// it gives alone.
+TEST(BlackSky, AddsNothingToALamp) {
+  const testing_support::TempFolder folder;
+  for (const int size : {1, 8}) {
+    const auto picture = EncodeImage(Image(2 * size, size, 3, 0.0f), ImageFormat::kPfm);
+    testing_support::Put(folder / "black.pfm", *picture);
+    const std::string sky = "Background { environment black.pfm }\n";
+    const auto dark = CompileText(sky + FloorUnder(""), folder.path());
+    const auto seen = EstimateRadiance(PathIntegrator(*dark, OneBounce()), {0, 0}, 4, 64);
+    EXPECT_EQ(seen.mean, 0);
+    const auto lit = CompileText(
+        sky + FloorUnder("Transform { translate 0 0 2 } Component<Object> { type disk radius 1 } "
+                         "Component<Light> { type area radiance 3 3 3 }"),
+        folder.path());
+    ExpectEstimate(EstimateRadiance(PathIntegrator(*lit, OneBounce()), {0, 0}, 128, 1024),
+                   1.884956 / kPi);
+  }
 }
 
 // CF13: L1 = Le / (1 - r1 r2), L2 = r2 L1: two parallel planes without end, one of which emits.

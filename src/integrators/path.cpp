@@ -139,6 +139,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                        options.mirror_bounces.value_or(kUnlimited),
                        options.transmission_bounces.value_or(kUnlimited)},
       seed_(options.seed),
+      sampler_(options.sampler),
       techniques_(techniques) {
   for (uint32_t i = 0; i < scene.lights().size(); ++i) {
     if (lights_[i]->Kind() == LightKind::kSky) suns_.push_back(i);
@@ -183,7 +184,7 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     Path& path = paths.states()[i];
     path = Path();
     path.sample = i;
-    path.sampler = Sampler(seed_, request.x, request.y, request.index);
+    path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));

@@ -10,6 +10,7 @@
 #include "integrators/integrator.h"
 #include "lights/environment_light.h"
 #include "lights/light_picker.h"
+#include "sampling/sampler.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -75,6 +76,7 @@ class PathIntegrator final : public Integrator {
   uint32_t bounces_;
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;
+  SamplerKind sampler_;
   PathTechniques techniques_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "integrators/integrator.h"
+#include "sampling/sampler.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -22,6 +23,7 @@ struct IntegratorOptions {
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
   uint32_t seed = 0;
+  SamplerKind sampler = SamplerKind::kSobol;  ///< For `path`: where its random numbers come from.
 };
 
 /// An integrator that may be asked for by name.

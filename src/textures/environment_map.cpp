@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "image/image_file.h"
+#include "image/size_limit.h"
 #include "textures/lat_long.h"
 
 namespace candela {
@@ -77,6 +78,13 @@ std::optional<EnvironmentMap> EnvironmentMap::Load(const std::filesystem::path& 
   for (std::string& warning : warnings) diagnostics->Warning(file, std::move(warning));
   if (!decoded) {
     diagnostics->Error(file, decoded.error().message, decoded.error().code);
+    return std::nullopt;
+  }
+  // Besides the colours there is a weight for each texel, and sums of these, to draw directions.
+  constexpr int64_t kBytesPerTexel = 20;
+  if (const auto fits = CheckImageSize(decoded->Width(), decoded->Height(), kBytesPerTexel);
+      !fits) {
+    diagnostics->Error(file, fits.error().message, fits.error().code);
     return std::nullopt;
   }
   Image radiance = ToThreeChannels(*decoded);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -17,20 +18,25 @@
 namespace candela {
 namespace {
 
-/// Three channels: grey stands for all of them, alpha is left out. What is no finite number is 0.
-Image ToColours(const Image& image, bool is_srgb) {
+/// Three channels: grey stands for all of them, alpha is left out. What is no finite number is 0,
+/// and counted.
+Image ToColours(const Image& image, bool is_srgb, int64_t* not_finite) {
   Image colours(image.Width(), image.Height(), 3);
+  std::atomic<int64_t> count = 0;
   const int step = image.Channels() > 2 ? 1 : 0;
   ParallelFor(image.Height(), [&](int64_t row) {
     const int y = static_cast<int>(row);
     for (int x = 0; x < image.Width(); ++x) {
       for (int c = 0; c < 3; ++c) {
         const float value = image.At(x, y, c * step);
-        const float finite = std::isfinite(value) ? value : 0;
+        const bool is_finite = std::isfinite(value);
+        if (!is_finite && c <= 2 * step) ++count;
+        const float finite = is_finite ? value : 0;
         colours.At(x, y, c) = is_srgb ? LinearFromSrgb(finite) : finite;
       }
     }
   });
+  *not_finite = count;
   return colours;
 }
 
@@ -82,7 +88,16 @@ std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
         image.error().code);
     return nullptr;
   }
-  return std::make_shared<ImageTexture>(MipMap(ToColours(*image, is_srgb), wrap), transform);
+  int64_t not_finite = 0;
+  Image colours = ToColours(*image, is_srgb, &not_finite);
+  if (not_finite > 0) {
+    const bool is_one = not_finite == 1;
+    context.diagnostics->Warning(
+        file, fmt::format("{} value{} of the texture became 0; {} not {}finite number{}",
+                          not_finite, is_one ? "" : "s", is_one ? "it was" : "they were",
+                          is_one ? "a " : "", is_one ? "" : "s"));
+  }
+  return std::make_shared<ImageTexture>(MipMap(std::move(colours), wrap), transform);
 }
 
 Rgb ImageTexture::Lookup(const SurfacePoint& point) const {

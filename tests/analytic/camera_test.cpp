@@ -24,11 +24,12 @@ int64_t PixelsOfTheSphere(PixelGrid grid) {
   return std::count_if(hits.begin(), hits.end(), [](const FirstHit& hit) { return hit.is_hit; });
 }
 
+// P14, CF24
 TEST(Silhouette, WithPixelCentresCoversItsShareOfTheArea) {
   EXPECT_NEAR(PixelsOfTheSphere(PixelGrid::kCentres), 70718, 70.7);
 }
 
-// With corners on -1 and 1 the picture is 799 pixels wide.
+// P14, CF24: with corners on -1 and 1 the picture is 799 pixels wide.
 TEST(Silhouette, WithTheCoursesMappingCoversItsShareOfTheArea) {
   EXPECT_NEAR(PixelsOfTheSphere(PixelGrid::kCorners), 70541, 70.5);
 }

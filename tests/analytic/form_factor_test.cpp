@@ -56,25 +56,27 @@ void ExpectShare(const Scene& scene, Start start, double expected) {
   EXPECT_LE(share.error, 1e-3 * expected);
 }
 
+// CF12
 TEST(FormFactor, OfParallelUnitSquaresAtDistanceOne) {
   ExpectShare(*Facing("Transform { translate 0 0 1 } "
                       "Component<Object> { type rectangle width 1 height 1 }"),
               Start::kSquare, 0.199825);
 }
 
+// CF12
 TEST(FormFactor, OfUnitSquaresThatShareAnEdge) {
   ExpectShare(*Facing("Transform { translate 0.5 0 0.5 y_rotate 90 } "
                       "Component<Object> { type rectangle width 1 height 1 }"),
               Start::kSquare, 0.200044);
 }
 
-// r = h: (3 - sqrt 5) / 2.
+// CF12: r = h: (3 - sqrt 5) / 2.
 TEST(FormFactor, OfCoaxialDisksAsFarAsTheyAreWide) {
   ExpectShare(*Facing("Transform { translate 0 0 1 } Component<Object> { type disk radius 1 }"),
               Start::kDisk, 0.381966);
 }
 
-// From one face of a cube everything arrives at the five others.
+// CF12: from one face of a cube everything arrives at the five others.
 TEST(FormFactor, OfTheFacesOfACubeSumToOne) {
   const std::string face =
       "Component<Object> { type rectangle width 1 height 1 } "

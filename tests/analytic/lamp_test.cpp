@@ -32,18 +32,19 @@ double Radiance(const Integrator& integrator) {
   return EstimateRadiance(integrator, {0, 0}, 2, 4).mean;
 }
 
+// CF3
 TEST(PlaneUnderALamp, ReflectsAlbedoTimesIrradianceOverPi) {
   const auto scene = CompileText(PlaneUnderALamp("type diffuse albedo 0.6 0.6 0.6"));
   EXPECT_NEAR(Radiance(PathIntegrator(*scene, {})), 0.244462, 0.244462e-5);
 }
 
-// The course's Phong model has no pi: it shows the irradiance itself.
+// CF3: the course's Phong model has no pi: it shows the irradiance itself.
 TEST(PlaneUnderALamp, InTheCoursesModelShowsItsIrradiance) {
   const auto scene = CompileText(PlaneUnderALamp("diffuse 1 1 1"));
   EXPECT_NEAR(Radiance(WhittedIntegrator(*scene, 0, true)), 1.28, 1.28e-5);
 }
 
-// c (N.L) / (alpha d^2): 0.9 / (0.025 * 25) is beyond white, and stays so until the picture is
+// CF4: c (N.L) / (alpha d^2): 0.9 / (0.025 * 25) is beyond white, and stays so until the picture is
 // written.
 TEST(PlaneUnderALamp, InTheCoursesModelAttenuationDividesTheSquareOfTheDistance) {
   const auto scene =

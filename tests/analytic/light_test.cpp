@@ -6,11 +6,13 @@
 
 #include <string>
 
+#include "image/image_file.h"
 #include "integrators/path.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
 #include "tests/support/compile_text.h"
 #include "tests/support/estimate.h"
+#include "tests/support/temp_folder.h"
 
 namespace candela {
 namespace {
@@ -46,6 +48,7 @@ void ExpectFloor(const std::string& lamp, double irradiance, uint32_t samples = 
                  irradiance / kPi);
 }
 
+// CF5
 TEST(FloorUnderASphere, GetsPiLTimesSquaredSine) {
   ExpectFloor(
       "Transform { translate 0 0 3 } Component<Object> { type sphere radius 1 } "
@@ -53,6 +56,7 @@ TEST(FloorUnderASphere, GetsPiLTimesSquaredSine) {
       1.745329);
 }
 
+// CF7
 TEST(FloorUnderADisk, GetsTheClosedForm) {
   ExpectFloor(
       "Transform { translate 0 0 2 } Component<Object> { type disk radius 1 } "
@@ -60,6 +64,7 @@ TEST(FloorUnderADisk, GetsTheClosedForm) {
       1.884956);
 }
 
+// CF8
 TEST(FloorUnderARectangle, GetsTheClosedForm) {
   ExpectFloor(
       "Transform { translate 0 0 1 } Component<Object> { type rectangle width 2 height 2 } "
@@ -67,6 +72,7 @@ TEST(FloorUnderARectangle, GetsTheClosedForm) {
       1.740840);
 }
 
+// CF9
 TEST(FloorUnderATriangle, GetsLambertsSum) {
   ExpectFloor(
       "Component<Object> { type triangle vertex0 1 0 1 vertex1 -0.5 1 2 vertex2 0 -1 1.5 } "
@@ -90,8 +96,8 @@ TEST(FloorUnderASpot, GetsIntensityOverSquaredDistance) {
       2, 16);
 }
 
-// A long black wall rises from here at 45 degrees: of the light of an even sky (1 + cos 45) / 2 is
-// left.
+// CF10: a long black wall rises from here at 45 degrees: of the light of an even sky (1 + cos 45) /
+// 2 is left.
 TEST(FloorBesideAWall, SeesThePartOfTheSkyThatTheWallLeaves) {
   const std::string wall =
       "Transform { translate 1e-4 0 0  y_rotate -45  translate 50000 0 0 } "
@@ -102,7 +108,27 @@ TEST(FloorBesideAWall, SeesThePartOfTheSkyThatTheWallLeaves) {
                  2.681517 / kPi);
 }
 
-// L1 = Le / (1 - r1 r2), L2 = r2 L1: two parallel planes without end, one of which emits.
+// A picture of the sky without any light is no light: it is never chosen, and the lamp gives what
+// it gives alone.
+TEST(BlackSky, AddsNothingToALamp) {
+  const testing_support::TempFolder folder;
+  for (const int size : {1, 8}) {
+    const auto picture = EncodeImage(Image(2 * size, size, 3, 0.0f), ImageFormat::kPfm);
+    testing_support::Put(folder / "black.pfm", *picture);
+    const std::string sky = "Background { environment black.pfm }\n";
+    const auto dark = CompileText(sky + FloorUnder(""), folder.path());
+    const auto seen = EstimateRadiance(PathIntegrator(*dark, OneBounce()), {0, 0}, 4, 64);
+    EXPECT_EQ(seen.mean, 0);
+    const auto lit = CompileText(
+        sky + FloorUnder("Transform { translate 0 0 2 } Component<Object> { type disk radius 1 } "
+                         "Component<Light> { type area radiance 3 3 3 }"),
+        folder.path());
+    ExpectEstimate(EstimateRadiance(PathIntegrator(*lit, OneBounce()), {0, 0}, 128, 1024),
+                   1.884956 / kPi);
+  }
+}
+
+// CF13: L1 = Le / (1 - r1 r2), L2 = r2 L1: two parallel planes without end, one of which emits.
 TEST(ParallelPlanes, ExchangeLightAsAGeometricSeries) {
   const auto expect_seen = [](const char* direction, double expected) {
     const auto scene = CompileText(std::string("Camera { center 0 0 0 direction ") + direction +

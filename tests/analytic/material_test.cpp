@@ -48,7 +48,7 @@ void ExpectInvisible(const std::string& materials, double tolerance, uint32_t pi
   }
 }
 
-// Where the model is exact.
+// P4: where the model is exact.
 TEST(WhiteBall, OfASmoothMaterialIsInvisibleInTheFurnace) {
   ExpectInvisible("Material { name ball type diffuse albedo 1 1 1 }", 1e-5);
   ExpectInvisible("Material { name ball type diffuse albedo 1 1 1 roughness 0.8 }", 1e-4);
@@ -59,6 +59,7 @@ TEST(WhiteBall, OfASmoothMaterialIsInvisibleInTheFurnace) {
   ExpectInvisible("Material { name ball type plastic albedo 1 1 1 }", 1e-4);
 }
 
+// P4
 TEST(WhiteBall, OfARoughMaterialIsInvisibleInTheFurnace) {
   for (const char* roughness : {"0.2", "0.4", "0.6", "0.8", "1", "texture half"}) {
     const auto expect_invisible = [&](const std::string& material, uint32_t pixels) {
@@ -74,6 +75,7 @@ TEST(WhiteBall, OfARoughMaterialIsInvisibleInTheFurnace) {
                   5e-3);
 }
 
+// P4
 TEST(WhiteBall, OfAMixtureOrAVeilIsInvisibleInTheFurnace) {
   const std::string parts =
       "Material { name a type mirror } Material { name b type diffuse albedo 1 1 1 }";
@@ -126,18 +128,20 @@ void ExpectHeadOn(const std::string& text, double expected) {
   ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, SeedOne()), {0, 0}, 512, 2048), expected);
 }
 
-// T = (1 - R)^2 a / (1 - R^2 a^2) of the light behind, R + R (1 - R)^2 a^2 / (1 - R^2 a^2) of that
-// in front, with R = 0.04 at each face and a = exp(-sigma t) on the way between them.
+// CF19: T = (1 - R)^2 a / (1 - R^2 a^2) of the light behind, R + R (1 - R)^2 a^2 / (1 - R^2 a^2) of
+// that in front, with R = 0.04 at each face and a = exp(-sigma t) on the way between them.
 TEST(GlassPlate, TransmitsAndReflectsAllInnerBounces) {
   ExpectHeadOn(Plate("", 0, 1), 0.923077);
   ExpectHeadOn(Plate("", 1, 0), 0.076923);
 }
 
+// CF19
 TEST(GlassPlate, TintedItAbsorbsOnTheWay) {
   ExpectHeadOn(Plate("absorption 0.5 0.5 0.5", 0, 1), 0.559308);
   ExpectHeadOn(Plate("absorption 0.5 0.5 0.5", 1, 0), 0.053569);
 }
 
+// CF19
 TEST(GlassPane, IsThePlateInOneSurface) {
   ExpectHeadOn(Pane("", 0, 1), 0.923077);
   ExpectHeadOn(Pane("", 1, 0), 0.076923);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -45,37 +46,65 @@ std::string Lamp() {
   return fmt::format("type point color {0:.9g} {0:.9g} {0:.9g} attenuation 1", kPi);
 }
 
-// L = Le + rho L, so L = Le / (1 - rho): with 1/2 and 1/2 every pixel is 1.
+// CF1: L = Le + rho L, so L = Le / (1 - rho): with 1/2 and 1/2 every pixel is 1.
 TEST(GlowingRoom, RadianceIsEmissionOverOneMinusAlbedo) {
   const auto scene = CompileText(Room(1, kGlowing));
   ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, Bounces({})), kSomewhere, 256, 1024), 1);
 }
 
-// Cut after n reflections: Le (1 - rho^(n + 1)) / (1 - rho).
-TEST(GlowingRoom, EachReflectionAddsItsTermOfTheSeries) {
+// P12, CF1: cut after n reflections, Le (1 - rho^(n + 1)) / (1 - rho), with and without roulette,
+// which begins after four of them. Without it all paths give the sum itself.
+TEST(GlowingRoom, EachDepthGivesItsPartialSumWithAndWithoutRoulette) {
   const auto scene = CompileText(Room(1, kGlowing));
-  const struct {
-    uint32_t bounces;
-    double radiance;
-  } cases[] = {{0, 0.5}, {1, 0.75}, {4, 0.96875}, {8, 0.99804688}};
-  for (const auto& [bounces, radiance] : cases) {
-    ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, Bounces(bounces)), kSomewhere, 256, 512),
-                   radiance);
+  PathTechniques none;
+  none.roulette = false;
+  for (uint32_t n = 0; n <= 8; ++n) {
+    SCOPED_TRACE(n);
+    const double sum = 1 - std::pow(0.5, n + 1);
+    const auto exact =
+        EstimateRadiance(PathIntegrator(*scene, Bounces(n), none), kSomewhere, 4, 64);
+    EXPECT_NEAR(exact.mean, sum, 1e-6);
+    EXPECT_LE(exact.error, 1e-6);
+    ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, Bounces(n)), kSomewhere, 128, 512), sum);
   }
 }
 
-// The wall at distance 1 receives E = pi and reflects rho E / pi = 1/2.
+// CF2: the wall at distance 1 receives E = pi and reflects rho E / pi = 1/2.
 TEST(RoomWithALampInItsMiddle, DirectLightIsAlbedoTimesIrradianceOverPi) {
   const auto scene = CompileText(Room(1, Lamp()));
   ExpectEstimate(EstimateRadiance(PathIntegrator(*scene, Bounces(1)), kSomewhere, 2, 16), 0.5);
 }
 
-// All reflections together: (rho / pi) I / r^2 / (1 - rho).
+// CF2: all reflections together: (rho / pi) I / r^2 / (1 - rho).
 TEST(RoomWithALampInItsMiddle, RadianceFallsWithTheSquareOfTheRadius) {
   const auto near = CompileText(Room(1, Lamp()));
   ExpectEstimate(EstimateRadiance(PathIntegrator(*near, Bounces({})), kSomewhere, 256, 1024), 1);
   const auto far = CompileText(Room(2, Lamp()));
   ExpectEstimate(EstimateRadiance(PathIntegrator(*far, Bounces({})), kSomewhere, 256, 1024), 0.25);
+}
+
+/// A sphere of radius 1 and albedo 0.95 with a lamp of flux 1 in its middle, and a black disk in
+/// the place of a cap that is a hundredth of it: light that goes to the cap meets the disk.
+std::string IntegratingSphere() {
+  return fmt::format(
+      "{0}Materials {{ Material {{ type diffuse albedo 0.95 0.95 0.95 }}\n"
+      "Material {{ type diffuse albedo 0 0 0 }} }}\n"
+      "Scene {{ Component<Object> {{ type sphere radius 1 }} Component<Material> {{ index 0 }}\n"
+      "Component<Light> {{ type point color {1:.9g} {1:.9g} {1:.9g} attenuation 1 }}\n"
+      "Node {{ Transform {{ translate 0 0 0.98 }} Component<Material> {{ index 1 }}\n"
+      "Component<Object> {{ type disk radius 0.19899749 }} }} }}",
+      kCamera, 1 / (4 * kPi));
+}
+
+// CF14: L = F / (pi A) rho / (1 - rho (1 - f)) for the flux F, the area A and the share f of the
+// port. Paths end in the port, not by roulette: that makes less noise.
+TEST(IntegratingSphere, HasTheRadianceOfFluxTimesMultiplier) {
+  const auto scene = CompileText(IntegratingSphere());
+  PathTechniques none;
+  none.roulette = false;
+  ExpectEstimate(
+      EstimateRadiance(PathIntegrator(*scene, Bounces(300), none), kSomewhere, 128, 1024),
+      0.404433);
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ TEST(ThinLens, RaysOfAPixelMeetInTheFocusPlane) {
   }
 }
 
-// A point at distance D = 10 is seen through every part of the lens from directions that meet the
-// focus plane in a disk of diameter 2 a |D - F| / D = 0.1.
+// P14, CF25: a point at distance D = 10 is seen through every part of the lens from directions that
+// meet the focus plane in a disk of diameter 2 a |D - F| / D = 0.1.
 TEST(ThinLens, BlursAPointToADiskOfTheClosedForm) {
   const PerspectiveCamera camera(Lens());
   UniformNumbers numbers(2);
@@ -67,6 +67,7 @@ TEST(ThinLens, OfNoDiameterIsAPinhole) {
   EXPECT_EQ(ray.direction, camera.GenerateRay({0.3f, 0.4f}).direction);
 }
 
+// P1
 TEST(ThinLens, IsEvenlyCovered) {
   const PerspectiveCamera camera(Lens());
   constexpr size_t kRings = 16, kSectors = 24;
@@ -84,7 +85,8 @@ TEST(ThinLens, IsEvenlyCovered) {
   EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate);
 }
 
-// The opening of a shutter of n blades: a regular polygon in the round opening, one corner on top.
+// P1: the opening of a shutter of n blades: a regular polygon in the round opening, one corner on
+// top.
 TEST(ThinLens, OfBladesIsAnEvenlyCoveredPolygon) {
   for (const int blades : {3, 5, 6}) {
     const PerspectiveCamera camera(Lens(blades));

@@ -149,7 +149,7 @@ class EveryPhysicalIntegrator : public testing::TestWithParam<IntegratorEntry> {
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryPhysicalIntegrator, testing::ValuesIn(Rows(true)), RowName);
 
-// Where everything reflects all light and the sky is 1, nothing can be seen: every ray finds 1.
+// P4: where everything reflects all light and the sky is 1, nothing can be seen: every ray finds 1.
 TEST_P(EveryPhysicalIntegrator, NothingIsVisibleInAFurnace) {
   const auto scene = CompileText(
       std::string(kCamera) +

@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string_view>
 #include <vector>
 
+#include "math/elementary.h"
+#include "math/frame.h"
 #include "sampling/warp.h"
 #include "tests/contract/rows.h"
 #include "tests/sampling/chi_square.h"
@@ -112,7 +115,7 @@ TEST_P(EveryAreaLight, ShinesFromTheSurfaceOfItsNode) {
   EXPECT_FALSE(emitted.IsBlack()) << "it has no power";
 }
 
-// What a sample says of the light is what a ray in its direction finds.
+// P2: what a sample says of the light is what a ray in its direction finds.
 TEST_P(EveryAreaLight, SamplesAgreeWithRays) {
   UniformNumbers random(6);
   int found = 0;
@@ -132,6 +135,56 @@ TEST_P(EveryAreaLight, SamplesAgreeWithRays) {
   }
   EXPECT_GT(found, 9900);
   EXPECT_GT(light_.Reach().power, 0.0f);
+}
+
+// P1: over the cone around the ball that the light says it lies in. The shares are integrals of the
+// density over what rays find in the direction of each cell.
+TEST_P(EveryAreaLight, DirectionsFollowTheDensity) {
+  constexpr size_t kRings = 12, kSectors = 24;
+  constexpr int kSteps = 24, kSamples = 1000000;
+  const LightReach reach = light_.Reach();
+  for (const float distance : {1.5f, 4.0f, 30.0f}) {
+    SCOPED_TRACE(distance);
+    const Vec3 away = Normalize(Vec3{1, 2, -2});
+    const Vec3 p = reach.center + away * (distance * reach.radius);
+    const Frame frame = Frame::FromNormal(-away);
+    // Cells of equal solid angle: heights above the rim of the cone, as parts of 1 - cosine.
+    const double sine = 1.0001 / static_cast<double>(distance);
+    const double rim = sine * sine / (1 + std::sqrt(1 - sine * sine));
+    std::vector<double> shares(kRings * kSectors);
+    double sum = 0;
+    for (size_t cell = 0; cell < shares.size(); ++cell) {
+      for (int i = 0; i < kSteps * kSteps; ++i) {
+        const double ring = static_cast<double>(cell / kSectors) + (i / kSteps + 0.5) / kSteps;
+        const double sector = static_cast<double>(cell % kSectors) + (i % kSteps + 0.5) / kSteps;
+        const Vec3 w = frame.ToWorld(
+            SampleCone({static_cast<float>(ring / kRings), static_cast<float>(sector / kSectors)},
+                       static_cast<float>(rim)));
+        const Ray ray(p, w);
+        HitRecord hit;
+        if (!scene_->Intersect(ray, &hit)) continue;
+        const float pdf = light_.PdfIncident(p, scene_->SurfaceAt(ray, hit), w);
+        shares[cell] += static_cast<double>(pdf) / (kSteps * kSteps);
+      }
+      shares[cell] *= 2 * kPi * rim / static_cast<double>(shares.size());
+      sum += shares[cell];
+    }
+    EXPECT_NEAR(sum, 1, 2e-3) << "the integral of the density";
+    for (double& share : shares) share /= sum;
+
+    UniformNumbers random(8);
+    std::vector<uint64_t> counts(shares.size());
+    for (int i = 0; i < kSamples; ++i) {
+      const Vec3 w = light_.SampleIncident(p, random.NextPair()).direction;
+      const Vec2 place = InvertCone(frame.ToLocal(w), static_cast<float>(rim));
+      const auto index = [](float position, size_t size) {
+        const double at = static_cast<double>(position) * static_cast<double>(size);
+        return std::min(static_cast<size_t>(std::max(at, 0.0)), size - 1);
+      };
+      ++counts[index(place.x, kRings) * kSectors + index(place.y, kSectors)];
+    }
+    EXPECT_LT(test::ChiSquareDeviate(counts, shares), test::kLargestDeviate);
+  }
 }
 
 TEST_P(EveryAreaLight, HasNoMiddle) {

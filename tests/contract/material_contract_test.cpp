@@ -84,12 +84,14 @@ TEST_P(EveryPhysicalMaterial, DrawsFromAllAngles) {
   }
 }
 
+// P2
 TEST_P(EveryPhysicalMaterial, WeightIsValueTimesCosineOverDensity) {
   for (const double degrees : kIncidences) {
     ExpectWeightsToAgree(bsdf_, DirectionAt(bsdf_.frame, degrees), 10000, &random_);
   }
 }
 
+// P1
 TEST_P(EveryPhysicalMaterial, SamplesFollowTheDensity) {
   for (const double degrees : {0.0, 45.0, 89.0}) {
     SCOPED_TRACE(degrees);
@@ -107,7 +109,7 @@ TEST_P(EveryPhysicalMaterial, SaysWhetherItHasASmoothPart) {
   EXPECT_EQ(bsdf_.HasSmoothPart(), is_smooth);
 }
 
-// Through the surface by the square of the refractive indices.
+// P5: through the surface by the square of the refractive indices.
 TEST_P(EveryPhysicalMaterial, IsReciprocal) {
   const Bsdf beyond = BsdfOf(MaterialOf(*scene_), bsdf_.frame.z, false);
   for (int i = 0; i < 100000; ++i) {
@@ -132,7 +134,7 @@ TEST_P(EveryPhysicalMaterial, IsReciprocal) {
   }
 }
 
-// By the error of the estimate, and by that of the tables of rough surfaces.
+// P5: by the error of the estimate, and by that of the tables of rough surfaces.
 TEST_P(EveryPhysicalMaterial, ReflectsNoMoreThanItGets) {
   for (const double degrees : kIncidences) {
     const Albedo albedo = AlbedoOf(bsdf_, DirectionAt(bsdf_.frame, degrees), 20000, &random_);

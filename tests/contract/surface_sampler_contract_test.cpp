@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
 #include "tests/contract/rows.h"
 #include "tests/sampling/chi_square.h"
+#include "tests/support/lines.h"
 
 namespace candela {
 namespace {
@@ -121,7 +123,7 @@ TEST_P(EverySampledShape, SampledDirectionsReachTheSurface) {
   });
 }
 
-// The density over all directions in which the surface is seen is the share of samples that are
+// P2: the density over all directions in which the surface is seen is the share of samples that are
 // seen: 1 for a shape that hides nothing of itself.
 TEST_P(EverySampledShape, DensityIntegratesToTheShareOfSamplesThatAreSeen) {
   ForPlacements([this](const Scene& scene, const SurfaceSampler& sampler, const Bounds3& box) {
@@ -163,6 +165,30 @@ TEST_P(EverySampledShape, DensityIntegratesToTheShareOfSamplesThatAreSeen) {
       EXPECT_LT(std::abs(integral - share), test::kLargestDeviate * std::sqrt(variance) + 1e-3)
           << "from " << from.x << " " << from.y << " " << from.z;
     }
+  });
+}
+
+// P13: of lines in all directions, a surface is met by half its area over the area that the lines
+// go through, on the mean; so its area can be counted.
+TEST_P(EverySampledShape, AreaIsWhatLinesFind) {
+  ForPlacements([this](const Scene& scene, const SurfaceSampler& sampler, const Bounds3& box) {
+    constexpr int kLines = 100000;
+    const float radius = Length(box.Extent()) / 2 * 1.001f;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kLines; ++i) {
+      const Vec2 u_direction = random_.NextPair();
+      const Ray line =
+          testing_support::LineThroughBall(box.Center(), radius, u_direction, random_.NextPair());
+      const int count = testing_support::FollowLine(scene, line.origin, line.direction).count;
+      sum += count;
+      squares += count * count;
+    }
+    const double disk = kPi * static_cast<double>(radius) * static_cast<double>(radius);
+    const double mean = sum / kLines;
+    const double error = std::sqrt((squares / kLines - mean * mean) / kLines);
+    EXPECT_NEAR(static_cast<double>(sampler.Area()), 2 * disk * mean,
+                2 * disk * test::kLargestDeviate * error);
+    EXPECT_LT(error, 0.02 * mean);
   });
 }
 

@@ -56,11 +56,12 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryFilter,
                          testing::ValuesIn(PixelFilters().begin(), PixelFilters().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
+// P15
 TEST_P(EveryFilter, ExpectedWeightIsOne) {
   EXPECT_NEAR(Mean([](double) { return 1.0; }), 1, 1e-4);
 }
 
-// The centroid: a filter that is off centre moves the picture.
+// P15: the centroid: a filter that is off centre moves the picture.
 TEST_P(EveryFilter, IsCentred) {
   EXPECT_NEAR(Mean([](double x) { return x; }), 0, 1e-4);
   const FilterSample middle = filter_.Sample({0.5f, 0.5f});
@@ -78,6 +79,7 @@ TEST_P(EveryFilter, TransfersWavesAsItsProfileDoes) {
   }
 }
 
+// P1
 TEST_P(EveryFilter, PositionsFollowTheMagnitudeOfTheProfile) {
   constexpr size_t kSide = 32;
   const double r = static_cast<double>(entry_.radius);
@@ -134,8 +136,8 @@ double TransferAtQuarter(std::string_view name) {
   return sum / kSteps;
 }
 
-// Closed forms at 0.25 cycles per pixel: sinc, sinc squared, and the endless Gaussian, which the
-// cut at three deviations misses by 0.5 percent.
+// P15, CF26: Closed forms at 0.25 cycles per pixel: sinc, sinc squared, and the endless Gaussian,
+// which the cut at three deviations misses by 0.5 percent.
 TEST(PixelFilter, TransferMatchesTheClosedForms) {
   EXPECT_NEAR(TransferAtQuarter("box"), 0.900316, 1e-6);
   EXPECT_NEAR(TransferAtQuarter("tent"), 0.810569, 1e-6);

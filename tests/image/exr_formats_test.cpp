@@ -101,6 +101,7 @@ void ExpectValues(const Result<Image>& image, int channels, float tolerance) {
   }
 }
 
+// P16
 TEST(ExrFormats, EveryCompressionInScanlinesTilesAndLevels) {
   for (int compression = 0; compression < Imf::DWAA_COMPRESSION; ++compression) {
     const auto method = static_cast<Imf::Compression>(compression);

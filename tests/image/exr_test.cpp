@@ -27,6 +27,7 @@ std::string Little(uint32_t value) {
   return bytes;
 }
 
+// P16
 TEST(Exr, RoundTripKeepsEveryBit) {
   for (int channels = 1; channels <= 4; ++channels) {
     // 37 rows are more than two blocks of 16.

@@ -29,8 +29,8 @@ Image Ramp(int width, int height) {
   return image;
 }
 
-// The mantissa of the largest channel has 8 bits, so its error is at most 1/256 of it, and half of
-// that since the encoder rounds; the other channels share its step.
+// P16: the mantissa of the largest channel has 8 bits, so its error is at most 1/256 of it, and
+// half of that since the encoder rounds; the other channels share its step.
 TEST(Hdr, RoundTripIsWithinHalfAStep) {
   for (const int width : {1, 7, 8, 130, 300}) {
     const Image image = Ramp(width, 41);

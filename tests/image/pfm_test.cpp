@@ -16,6 +16,7 @@ std::string ErrorOf(const std::string& file) {
   return result.ok() ? "no error" : result.error().message;
 }
 
+// P16
 TEST(Pfm, RoundTripKeepsEveryBit) {
   for (const int channels : {1, 3}) {
     for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig}) {

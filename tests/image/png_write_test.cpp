@@ -34,9 +34,11 @@ void ExpectRoundTrip() {
   }
 }
 
+// P16
 TEST(EncodePng, BytesSurviveTheRoundTrip) {
   ExpectRoundTrip<uint8_t>();
 }
+// P16
 TEST(EncodePng, WordsSurviveTheRoundTrip) {
   ExpectRoundTrip<uint16_t>();
 }

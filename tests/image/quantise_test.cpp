@@ -42,6 +42,7 @@ TEST(QuantiseToWord, GivesBackEveryWord) {
   }
 }
 
+// P16
 TEST(QuantiseToWord, IsWithinHalfAStepAndClamps) {
   for (int i = 0; i <= 100000; ++i) {
     const float c = static_cast<float>(i) / 100000.0f;

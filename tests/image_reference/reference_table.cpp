@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <iterator>
 
 #include "tests/image_reference/reference_pictures.h"
 
@@ -28,21 +27,6 @@ std::string Row(const ReferencePicture& picture) {
                      DescribeBar(picture.bar()));
 }
 
-/// Where the part begins and ends.
-struct Range {
-  size_t begin, end;
-};
-Result<Range> FindPart(std::string_view document, std::string_view name) {
-  const std::string first = fmt::format("<!-- begin: {} -->\n", name);
-  const std::string last = fmt::format("<!-- end: {} -->\n", name);
-  const size_t begin = document.find(first);
-  const size_t end = document.find(last);
-  if (begin == document.npos || end == document.npos || end < begin) {
-    return Error{ErrorCode::kInput, fmt::format("there is no part '{}'", name)};
-  }
-  return Range{begin + first.size(), end};
-}
-
 }  // namespace
 
 std::string ReferenceTable() {
@@ -51,19 +35,6 @@ std::string ReferenceTable() {
       "differ; by more; PSNR |\n|---|---|---|---|---|---|\n";
   for (const ReferencePicture& picture : ReferencePictures()) table += Row(picture);
   return table;
-}
-
-Result<std::string> GeneratedPart(std::string_view document, std::string_view name) {
-  const Result<Range> range = FindPart(document, name);
-  if (!range) return range.error();
-  return std::string(document.substr(range->begin, range->end - range->begin));
-}
-
-Result<std::string> ReplaceGeneratedPart(std::string_view document, std::string_view name,
-                                         std::string_view part) {
-  const Result<Range> range = FindPart(document, name);
-  if (!range) return range.error();
-  return fmt::format("{}{}{}", document.substr(0, range->begin), part, document.substr(range->end));
 }
 
 }  // namespace candela::image_reference

@@ -94,30 +94,34 @@ PathTechniques RaysAlone() {
   return techniques;
 }
 
+// P7
 TEST(NextEventEstimation, OfSurfacesDoesNotChangeTheMean) {
   const auto scene = CompileText(StillLife("", kLamps));
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
+// P7
 TEST(NextEventEstimation, OfAnEnvironmentDoesNotChangeTheMean) {
   const auto scene = CompileText(
       StillLife("Background { environment assets/cubemap/sky/front.png scale 2 rotate 40 }\n", ""));
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
+// P7
 TEST(NextEventEstimation, OfACubeMapDoesNotChangeTheMean) {
   const auto scene =
       CompileText(StillLife("Background { cube_map assets/assignment4/tex/rotunda }\n", ""));
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
+// P7
 TEST(NextEventEstimation, OfASoftSunDoesNotChangeTheMean) {
   const auto scene = CompileText(StillLife(
       "", "Component<Light> { type directional direction -1 -1 -0.5 color 2 2 2 angle 60 }"));
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
-// A mesh that hides parts of itself.
+// P7: a mesh that hides parts of itself.
 TEST(NextEventEstimation, OfAMeshDoesNotChangeTheMean) {
   const auto scene = CompileText(
       StillLife("",
@@ -128,7 +132,7 @@ TEST(NextEventEstimation, OfAMeshDoesNotChangeTheMean) {
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
-// The kinds together: point lights cannot be found by rays, and have to be sampled in both.
+// P7: the kinds together: point lights cannot be found by rays, and have to be sampled in both.
 TEST(NextEventEstimation, KeepsLightsThatOnlyItCanSee) {
   const auto scene = CompileText(StillLife(
       "Background { color 0.2 0.2 0.2 ambient_light 0 0 0 }\n",
@@ -137,6 +141,7 @@ TEST(NextEventEstimation, KeepsLightsThatOnlyItCanSee) {
   ExpectSame(With(*scene, {}), With(*scene, RaysAlone(), 16384));
 }
 
+// P9
 TEST(Weights, DoNotChangeTheMean) {
   const auto scene = CompileText(StillLife("", kLamps));
   PathTechniques balance;
@@ -144,6 +149,7 @@ TEST(Weights, DoNotChangeTheMean) {
   ExpectSame(With(*scene, {}), With(*scene, balance));
 }
 
+// P9
 TEST(LightChoice, DoesNotChangeTheMean) {
   const auto scene = CompileText(StillLife("", kLamps));
   PathTechniques uniform;
@@ -151,6 +157,7 @@ TEST(LightChoice, DoesNotChangeTheMean) {
   ExpectSame(With(*scene, {}), With(*scene, uniform));
 }
 
+// P9
 TEST(Roulette, DoesNotChangeTheMean) {
   const auto scene = CompileText(StillLife("", kLamps));
   PathTechniques none;
@@ -171,8 +178,8 @@ std::unique_ptr<const Scene> Placed(Vec3 to, float scale) {
   return CompileText(text);
 }
 
-// Radiance does not depend on where a scene is: neither do the ends of shadow rays, which have to
-// stop before the lamp. The same with rays alone, since those know of no such ends.
+// P7: Radiance does not depend on where a scene is: neither do the ends of shadow rays, which have
+// to stop before the lamp. The same with rays alone, since those know of no such ends.
 TEST(NextEventEstimation, OfASceneFarAwayDoesNotChangeTheMean) {
   const auto expected = With(*Placed({0, 0, 0}, 1), {});
   const auto far = Placed({3000, -1000, 2000}, 1);
@@ -180,7 +187,7 @@ TEST(NextEventEstimation, OfASceneFarAwayDoesNotChangeTheMean) {
   ExpectSame(With(*far, {}), With(*far, RaysAlone(), 16384));
 }
 
-// What absorbs counts in lengths, so here both sides are of the same size.
+// P7: what absorbs counts in lengths, so here both sides are of the same size.
 TEST(NextEventEstimation, OfATinyOrHugeSceneDoesNotChangeTheMean) {
   for (const float scale : {1e-4f, 1e4f}) {
     const auto scene = Placed({scale, scale, scale}, scale);
@@ -216,6 +223,7 @@ const std::string kRoom =
     "Scene { Component<Object> { type sphere radius 1 } Component<Material> { index 0 }\n"
     "Component<Light> { type area radiance 0.5 0.5 0.5 } }";
 
+// P12
 TEST(DepthLimits, OfDiffuseBouncesCutTheSeries) {
   for (uint32_t n = 0; n <= 3; ++n) {
     IntegratorOptions options;

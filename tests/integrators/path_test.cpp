@@ -39,7 +39,7 @@ std::string Room(double emission, double albedo) {
       kCamera, albedo, albedo, albedo, emission, emission, emission);
 }
 
-// Without roulette every path of depth n gives the same partial sum.
+// P12, CF1: without roulette every path of depth n gives the same partial sum.
 TEST(Path, NBouncesGiveThePartialSum) {
   const auto scene = CompileText(Room(0.5, 0.5));
   double sum = 0;
@@ -52,6 +52,7 @@ TEST(Path, NBouncesGiveThePartialSum) {
   }
 }
 
+// P12
 TEST(Path, RouletteDoesNotChangeThePartialSumOfDeepPaths) {
   const auto scene = CompileText(Room(0.5, 0.5));
   for (const uint32_t n : {5u, 6u, 8u}) {
@@ -60,7 +61,7 @@ TEST(Path, RouletteDoesNotChangeThePartialSumOfDeepPaths) {
   }
 }
 
-// The brighter the walls, the more of the light is carried by paths that survived.
+// P9: the brighter the walls, the more of the light is carried by paths that survived.
 TEST(Path, RouletteDoesNotChangeTheMeanOfEndlessPaths) {
   for (const double albedo : {0.3, 0.7}) {
     const auto scene = CompileText(Room(1 - albedo, albedo));

@@ -43,21 +43,21 @@ Vec3 Tilted(double degrees) {
   return {static_cast<float>(SinDegrees(degrees)), 0, static_cast<float>(CosDegrees(degrees))};
 }
 
-// E = pi L (R/d)^2 cos, while all of it is above the horizon.
+// CF5: E = pi L (R/d)^2 cos, while all of it is above the horizon.
 TEST(SphereLight, AboveTheHorizonGivesPiLTimesSquaredSineTimesCosine) {
   const Lamp lamp(std::make_unique<Sphere>(1.0f), 5, Mat4::Translate({0, 0, 3}));
   ExpectIrradiance(lamp.light(), {0, 0, 0}, Tilted(0), 1.745329);
   ExpectIrradiance(lamp.light(), {0, 0, 0}, Tilted(60), 0.872665);
 }
 
-// The same from far away, where only the cone knows how small it is.
+// CF5: the same from far away, where only the cone knows how small it is.
 TEST(SphereLight, FromFarAwayStillFillsItsCone) {
   const Lamp lamp(std::make_unique<Sphere>(1.0f), 5, Mat4::Translate({0, 0, 3000}));
   ExpectIrradiance(lamp.light(), {0, 0, 0}, Tilted(0), kPi * 5 / 9e6);
 }
 
-// With H = d/R, x = sqrt(H^2 - 1), y = -x / tan b: E = L [(cos b acos y - x sin b sqrt(1 - y^2)) /
-// H^2 + atan(sin b sqrt(1 - y^2) / x)].
+// CF6: with H = d/R, x = sqrt(H^2 - 1), y = -x / tan b: E = L [(cos b acos y - x sin b sqrt(1 -
+// y^2)) / H^2 + atan(sin b sqrt(1 - y^2) / x)].
 TEST(SphereLight, CutByTheHorizonGivesTheFormulaOfTheCap) {
   const Lamp lamp(std::make_unique<Sphere>(1.0f), 5, Mat4::Translate({0, 0, 3}));
   for (const double b : {75.0, 80.0, 95.0, 105.0}) {
@@ -92,6 +92,7 @@ double UnderADisk(double l, double r, double h, double a) {
   return kPi * l / 2 * (1 - (sum - 2 * r * r) / std::sqrt(sum * sum - 4 * r * r * a * a));
 }
 
+// CF7
 TEST(DiskLight, OverAParallelPlaneGivesTheClosedForm) {
   const Lamp lamp(std::make_unique<Disk>(1.0f), 3, Mat4::Translate({0, 0, 2}));
   EXPECT_NEAR(UnderADisk(3, 1, 2, 0), 1.884956, 1e-6);
@@ -107,7 +108,7 @@ TEST(DiskLight, FromVeryNearFillsTheSkyWithoutNoise) {
   ExpectIrradiance(lamp.light(), {0.3f, 0.2f, 0}, kUp, UnderADisk(3, 1, 0.01, std::sqrt(0.13)));
 }
 
-// A point under one corner of an a x b rectangle at height h, A = a/h, B = b/h:
+// CF8: a point under one corner of an a x b rectangle at height h, A = a/h, B = b/h:
 // E = (L / 2) [A / sqrt(1 + A^2) atan(B / sqrt(1 + A^2)) + B / sqrt(1 + B^2) atan(A / sqrt(1 +
 // B^2))].
 TEST(RectangleLight, OverAParallelPlaneGivesTheClosedForm) {
@@ -136,14 +137,14 @@ TEST(RectangleLight, SlantedByItsNodeGivesWhatItsTrianglesGive) {
   EXPECT_LE(error, 1e-3 * whole.mean);
 }
 
-// Lambert: E = (L / 2) |sum of angle_i n . g_i| over the edges.
+// CF9: Lambert: E = (L / 2) |sum of angle_i n . g_i| over the edges.
 TEST(TriangleLight, GivesLambertsSumOverItsEdges) {
   const Lamp lamp(std::make_unique<Triangle>(Vec3{1, 0, 1}, Vec3{-0.5f, 1, 2}, Vec3{0, -1, 1.5f}),
                   1);
   ExpectIrradiance(lamp.light(), {0, 0, 0}, kUp, 0.491770);
 }
 
-// A triangle that reaches below the horizon counts with what is above: cut at z = 0, it is a
+// CF9: a triangle that reaches below the horizon counts with what is above: cut at z = 0, it is a
 // quadrangle, whose sum over edges is that of two triangles.
 TEST(TriangleLight, BelowTheHorizonIsCut) {
   const Lamp whole(std::make_unique<Triangle>(Vec3{1, -1, -1}, Vec3{1, 1, -1}, Vec3{1, 0, 1}), 2);

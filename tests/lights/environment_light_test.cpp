@@ -34,8 +34,8 @@ EnvironmentMap Sky(float rotate_degrees) {
   return EnvironmentMap(image, 2, rotate_degrees);
 }
 
-// Cells of a grid in longitude and latitude as fine as the picture: with their shares by quadrature
-// of the density.
+// P1: cells of a grid in longitude and latitude as fine as the picture: with their shares by
+// quadrature of the density.
 TEST(EnvironmentLight, FollowsItsDensityAndReachesWhatItSays) {
   for (const float rotate : {0.0f, 30.0f, -400.0f}) {
     const EnvironmentMap map = Sky(rotate);

@@ -42,6 +42,7 @@ class LightPickerTest : public testing::TestWithParam<int> {
 // Few, which are looked at one by one, and many.
 INSTANTIATE_TEST_SUITE_P(Counts, LightPickerTest, testing::Values(0, 1, 8, 100));
 
+// P1
 TEST_P(LightPickerTest, ChoosesAsOftenAsItsProbabilitySays) {
   for (const LightChoice choice : {LightChoice::kByEffect, LightChoice::kUniform}) {
     const LightPicker picker(lights_, 10, choice);

@@ -33,21 +33,23 @@ void ExpectUnder(const EnvironmentMap& map, double expected) {
   EXPECT_LE(e.error, 1e-3 * expected);
 }
 
+// CF10
 TEST(OpenSky, GivesPi) {
   ExpectUnder(Sky([](double) { return 1; }), kPi);
 }
 
-// L = Lz (1 + 2 cos) / 3: 7 pi Lz / 9.
+// CF11: L = Lz (1 + 2 cos) / 3: 7 pi Lz / 9.
 TEST(OvercastSky, GivesSevenNinthsOfPi) {
   ExpectUnder(Sky([](double cosine) { return (1 + 2 * cosine) / 3; }), 2.443461);
 }
 
+// CF11
 TEST(CosineSky, GivesTwoThirdsOfPi) {
   ExpectUnder(Sky([](double cosine) { return cosine; }), 2.094395);
 }
 
-// A plane that leans by phi against a sky of the upper half sees (1 + cos phi) / 2 of it: the same
-// as behind a long wall that rises at that angle.
+// CF10: a plane that leans by phi against a sky of the upper half sees (1 + cos phi) / 2 of it: the
+// same as behind a long wall that rises at that angle.
 TEST(LeaningPlane, SeesHalfOfOnePlusCosineOfTheSky) {
   const EnvironmentMap map = Sky([](double) { return 1; });
   const EnvironmentLight light(map);

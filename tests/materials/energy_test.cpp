@@ -54,6 +54,7 @@ DielectricMaterial Glass(float ior, float alpha) {
   return {ior, Roughness::OfAlpha(alpha), {}};
 }
 
+// P4
 TEST(WhiteFurnace, MirrorAndSmoothGlassLoseNothing) {
   ExpectWhite(MirrorMaterial(Rgb{1, 1, 1}), 1e-6);
   ExpectWhite(WhiteMetal(0), 1e-6);
@@ -63,21 +64,25 @@ TEST(WhiteFurnace, MirrorAndSmoothGlassLoseNothing) {
   }
 }
 
+// P4
 TEST(WhiteFurnace, DiffuseLosesNothingHoweverRough) {
   for (const float roughness : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f}) {
     ExpectWhite(DiffuseMaterial(Rgb{1, 1, 1}, roughness), 1e-5);
   }
 }
 
+// P4
 TEST(WhiteFurnace, RoughMetalLosesNothing) {
   for (const float alpha : kAlphas) ExpectWhite(WhiteMetal(alpha), 2e-3);
 }
 
+// P4
 TEST(WhiteFurnace, BrushedMetalLosesNothing) {
   ExpectWhite(BrushedWhiteMetal({0.5f, 0.1f}, 30), 2e-3);
   ExpectWhite(BrushedWhiteMetal({0.05f, 0.9f}), 2e-3);
 }
 
+// P4
 TEST(WhiteFurnace, GroundGlassLosesNothingFromEitherSide) {
   for (const float alpha : kAlphas) {
     ExpectWhite(Glass(1.5f, alpha), 3e-3, true);
@@ -87,6 +92,7 @@ TEST(WhiteFurnace, GroundGlassLosesNothingFromEitherSide) {
   ExpectWhite(Glass(2.417f, 0.3f), 3e-3, false);
 }
 
+// P4
 TEST(WhiteFurnace, WhitePlasticLosesNothing) {
   for (const float alpha : {0.0f, 0.01f, 0.1f, 0.25f, 0.5f, 1.0f}) {
     ExpectWhite(PlasticMaterial(Rgb{1, 1, 1}, 1.5f, Roughness::OfAlpha(alpha)), 2e-3);
@@ -108,8 +114,8 @@ double OneBounceAlbedo(float alpha, Vec3 wo) {
   return sum / (kSteps * kSteps);
 }
 
-// alpha = 1 at 0 degrees: 1 - ln 2; the others by integration over the hemisphere in double. The
-// table is made of fewer facets and of straight lines.
+// CF38: alpha = 1 at 0 degrees: 1 - ln 2; the others by integration over the hemisphere in double.
+// The table is made of fewer facets and of straight lines.
 TEST(RoughMetal, OneBounceGivesBackTheAlbedoOfGgx) {
   const struct {
     float alpha;
@@ -143,7 +149,7 @@ TEST(RoughMetal, TableOfAllRoughnessesAgreesWithThoseOfEach) {
   }
 }
 
-// (n + 2) / 2 pi is the factor with which the lobe head-on gives back its weight, for any n.
+// CF33: (n + 2) / 2 pi is the factor with which the lobe head-on gives back its weight, for any n.
 TEST(NormalisedPhong, HeadOnItReflectsItsSpecularColour) {
   UniformNumbers random(5);
   for (const float exponent : {0.0f, 1.0f, 20.0f, 500.0f}) {
@@ -157,6 +163,7 @@ TEST(NormalisedPhong, HeadOnItReflectsItsSpecularColour) {
   }
 }
 
+// P5
 TEST(Energy, NoMaterialMakesLight) {
   UniformNumbers random(11);
   std::unique_ptr<Material> materials[] = {

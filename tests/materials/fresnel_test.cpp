@@ -16,6 +16,7 @@ float Reflectance(double degrees, double eta) {
                                &beyond);
 }
 
+// CF16
 TEST(Fresnel, GlassReflectsFourPercentHeadOnAndMoreTheFlatterTheLight) {
   EXPECT_NEAR(Reflectance(0, 1.5), 0.04, 1e-6);
   EXPECT_NEAR(Reflectance(30, 1.5), 0.0415226, 1e-6);
@@ -25,18 +26,20 @@ TEST(Fresnel, GlassReflectsFourPercentHeadOnAndMoreTheFlatterTheLight) {
   EXPECT_EQ(Reflectance(90, 1.5), 1);
 }
 
+// CF16
 TEST(Fresnel, HeadOnTheIndexAloneCounts) {
   EXPECT_NEAR(Reflectance(0, 1.33), 0.0200593, 1e-7);
   EXPECT_NEAR(Reflectance(0, 2.42), 0.1723949, 1e-6);
   EXPECT_EQ(Reflectance(0, 1), 0);
 }
 
-// At atan n the light in the plane of incidence is not reflected: half of the rest is the mean.
+// CF17: at atan n the light in the plane of incidence is not reflected: half of the rest is the
+// mean.
 TEST(Fresnel, AtBrewstersAngleOnePolarisationIsLeft) {
   EXPECT_NEAR(Reflectance(56.309932, 1.5), 0.147929 / 2, 1e-6);
 }
 
-// Beyond asin(1 / n) everything stays inside.
+// CF17: beyond asin(1 / n) everything stays inside.
 TEST(Fresnel, ReflectsAllBeyondTheCriticalAngle) {
   for (const auto& [eta, critical] : {std::pair{1.5, 41.810315}, std::pair{1.33, 48.753467}}) {
     EXPECT_LT(Reflectance(critical - 0.01, 1 / eta), 0.95);
@@ -55,7 +58,7 @@ TEST(Fresnel, IsTheSameFromBothSidesOfARefractedRay) {
   }
 }
 
-// ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2).
+// CF18: ((n - 1)^2 + k^2) / ((n + 1)^2 + k^2).
 TEST(Fresnel, MetalHeadOn) {
   const Rgb r = ConductorReflectance(1, {0.2f, 0.2f, 1.5f}, {3.3f, 3.3f, 0});
   EXPECT_NEAR(r.x, 0.935118, 1e-6);
@@ -78,7 +81,7 @@ TEST(Fresnel, DiffuseLightIsReflectedByNinePercent) {
   EXPECT_NEAR(MeanConductorReflectance({1.5f, 1.5f, 1.5f}, {}).x, 0.0917788, 2e-5);
 }
 
-// (1 - R)^2 a / (1 - R^2 a^2) and R + R (1 - R)^2 a^2 / (1 - R^2 a^2) with R = 0.04.
+// CF19: (1 - R)^2 a / (1 - R^2 a^2) and R + R (1 - R)^2 a^2 / (1 - R^2 a^2) with R = 0.04.
 TEST(Pane, CountsAllReflectionsBetweenItsFaces) {
   const PaneShares clear = SharesOfPane({1.5f, {0, 0, 0}}, 1);
   EXPECT_NEAR(clear.through.x, 0.923077, 1e-6);

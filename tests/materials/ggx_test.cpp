@@ -35,7 +35,7 @@ double IntegralOverHemisphere(const Function& function) {
   return sum * (kPi / 2) * (2 * kPi) / (kSteps * kSteps);
 }
 
-// D(0) = 1 / (pi alpha^2); G1 = 1 / (1 + Lambda).
+// CF32: D(0) = 1 / (pi alpha^2); G1 = 1 / (1 + Lambda).
 TEST(Ggx, HasTheValuesOfItsFormulas) {
   EXPECT_NEAR(kHalf.Density({0, 0, 1}), 1.273240, 1e-6);
   EXPECT_NEAR(kHalf.Masking(At(45)), 0.944272, 1e-6);
@@ -43,6 +43,7 @@ TEST(Ggx, HasTheValuesOfItsFormulas) {
   EXPECT_EQ(kHalf.Masking({1, 0, 0}), 0);
 }
 
+// CF32
 TEST(Ggx, ProjectedAreaOfTheFacetsIsThatOfTheSurface) {
   for (const Ggx& surface : {kHalf, kBrushed, Ggx{1, 1}}) {
     const double area = IntegralOverHemisphere([&](Vec3 m) { return surface.Density(m) * m.z; });
@@ -50,7 +51,7 @@ TEST(Ggx, ProjectedAreaOfTheFacetsIsThatOfTheSurface) {
   }
 }
 
-// Seen from any direction, the visible facets cover what the surface covers.
+// P6: seen from any direction, the visible facets cover what the surface covers.
 TEST(Ggx, VisibleFacetsCoverTheSurface) {
   for (const Ggx& surface : {kHalf, kBrushed, Ggx{1, 1}}) {
     for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
@@ -62,9 +63,9 @@ TEST(Ggx, VisibleFacetsCoverTheSurface) {
   }
 }
 
-// The weak furnace: without shadowing a mirror of facets loses nothing, above or below the horizon.
-// In terms of the facets' normals the integral is that of visible ones, so here it is taken over
-// the reflected direction: G1 D / (4 cos).
+// P6: the weak furnace: without shadowing a mirror of facets loses nothing, above or below the
+// horizon. In terms of the facets' normals the integral is that of visible ones, so here it is
+// taken over the reflected direction: G1 D / (4 cos).
 TEST(Ggx, WeakFurnaceLosesNothing) {
   const Vec3 wo = At(50, 20);
   for (const Ggx& surface : {kHalf, Ggx{0.8f, 0.3f}}) {

@@ -2,17 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <memory>
-#include <ostream>
 #include <string>
-#include <vector>
 
-#include "materials/conductor.h"
-#include "materials/dielectric.h"
-#include "materials/diffuse.h"
-#include "materials/phong.h"
-#include "materials/plastic.h"
+#include "tests/materials/families.h"
 #include "tests/materials/scatter.h"
 
 namespace candela {
@@ -22,60 +14,14 @@ using test::BsdfOf;
 using test::DirectionAt;
 using test::ExpectSamplesToFollowTheDensity;
 using test::ExpectWeightsToAgree;
+using test::Families;
+using test::Family;
 using test::kIncidences;
 using test::UniformNumbers;
 
 const Vec3 kNormal = Normalize(Vec3{-2, 1, 2});
 
-/// A family of materials over a roughness from 0 to 1.
-struct Family {
-  const char* name;
-  std::function<std::unique_ptr<Material>(float roughness)> create;
-  bool is_outside = true;
-};
-
-std::vector<Family> Families() {
-  const Rgb eta{0.14f, 0.37f, 1.44f}, k{3.98f, 2.39f, 1.6f};
-  const auto glass = [](float r) {
-    return std::make_unique<DielectricMaterial>(1.5f, Roughness::OfAlpha(r * r), Rgb());
-  };
-  return {
-      {"Diffuse",
-       [](float r) {
-         return std::make_unique<DiffuseMaterial>(Rgb{0.8f, 0.5f, 0.2f}, r);
-       }},
-      {"NormalisedPhong",
-       [](float r) {
-         const PhongTerms terms{{}, {0.3f, 0.2f, 0.1f}, {0.6f, 0.6f, 0.6f}, 2 / (r * r)};
-         return std::make_unique<PhongMaterial>(terms, true);
-       }},
-      {"Conductor",
-       [=](float r) {
-         return std::make_unique<ConductorMaterial>(eta, k, Roughness::OfAlpha(r * r));
-       }},
-      {"BrushedConductor",
-       [=](float r) {
-         return std::make_unique<ConductorMaterial>(eta, k, Ggx{r * r, 0.3f * r * r + 0.1f}, 25.0f);
-       }},
-      {"GlassFromOutside", glass},
-      {"GlassFromInside", glass, false},
-      {"Plastic",
-       [](float r) {
-         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f,
-                                                  Roughness::OfAlpha(r * r));
-       }},
-      {"PolishedPlastic",
-       [](float) {
-         return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, Roughness());
-       }},
-  };
-}
-
 constexpr float kRoughness[] = {0.3f, 0.5f, 0.75f, 1};
-
-void PrintTo(const Family& family, std::ostream* out) {
-  *out << family.name;
-}
 
 class EveryLobe : public testing::TestWithParam<Family> {};
 
@@ -94,6 +40,7 @@ void ForEachCase(const Family& family, const Check& check) {
   }
 }
 
+// P1
 TEST_P(EveryLobe, SamplesFollowTheDensity) {
   UniformNumbers random(23);
   ForEachCase(GetParam(), [&](const Bsdf& bsdf, Vec3 wo) {
@@ -101,14 +48,15 @@ TEST_P(EveryLobe, SamplesFollowTheDensity) {
   });
 }
 
+// P2
 TEST_P(EveryLobe, WeightIsValueTimesCosineOverDensity) {
   UniformNumbers random(29);
   ForEachCase(GetParam(),
               [&](const Bsdf& bsdf, Vec3 wo) { ExpectWeightsToAgree(bsdf, wo, 2000, &random); });
 }
 
-// Light that goes back takes the same way; through a boundary, by n^2: what the other side sees of
-// it is as much brighter as its index is larger.
+// P5: light that goes back takes the same way; through a boundary, by n^2: what the other side sees
+// of it is as much brighter as its index is larger.
 TEST_P(EveryLobe, IsReciprocal) {
   UniformNumbers random(31);
   for (const float roughness : kRoughness) {

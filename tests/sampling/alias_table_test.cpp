@@ -13,6 +13,7 @@ using test::ChiSquareDeviate;
 using test::kLargestDeviate;
 using test::UniformNumbers;
 
+// P1
 TEST(AliasTable, DrawsEachAsOftenAsItsWeightSays) {
   UniformNumbers numbers(1);
   std::vector<double> weights(300);

@@ -35,6 +35,7 @@ std::vector<double> Shares(const std::vector<float>& values) {
   return shares;
 }
 
+// P1
 TEST(Distribution1D, FollowsItsDensity) {
   const std::vector<float> values = UnevenValues(200, 1);
   const Distribution1D distribution(values);
@@ -56,6 +57,7 @@ TEST(Distribution1D, DensityIsTheValueOverTheMean) {
   EXPECT_FLOAT_EQ(distribution.Pdf(0.9f), 2.0f);
 }
 
+// P2, P3
 TEST(Distribution1D, SampleAndDensityAgreeAndInvert) {
   const Distribution1D distribution(UnevenValues(100, 3));
   UniformNumbers numbers(4);
@@ -83,6 +85,7 @@ TEST(Distribution1D, NeverDrawsWhatHasNoShare) {
   }
 }
 
+// P1
 TEST(Distribution2D, FollowsItsDensity) {
   constexpr size_t kColumns = 40;
   const std::vector<float> values = UnevenValues(kColumns * 25, 5);
@@ -104,6 +107,7 @@ TEST(Distribution2D, FollowsItsDensity) {
   EXPECT_LT(ChiSquareDeviate(counts, Shares(values)), kLargestDeviate);
 }
 
+// P2, P3
 TEST(Distribution2D, DensityIntegratesToOneAndInverts) {
   constexpr size_t kColumns = 32, kRows = 16;
   const Distribution2D distribution(UnevenValues(kColumns * kRows, 7), kColumns);

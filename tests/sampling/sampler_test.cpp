@@ -127,6 +127,7 @@ const Walk kWalks[] = {
      }},
 };
 
+// P1
 TEST_P(EverySampler, PairsAreUniformAndIndependentAcrossPixelsAndDimensions) {
   constexpr uint32_t kSamples = 1000000;
   constexpr size_t kSide = 32;

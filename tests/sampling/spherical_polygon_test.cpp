@@ -38,9 +38,9 @@ TEST(SphericalTriangle, OfAnOctantHasAnEighthOfTheSphere) {
   EXPECT_NEAR(SphericalTriangle({2, 0, 0}, {0, 3, 0}, {0, 0, 4}).SolidAngle(), kPi / 2, 1e-6);
 }
 
-// The pairs that samples are made of come back, and with them the same direction: with pairs evenly
-// spread, each cell of them has its part of the solid angle only if the map preserves area, which
-// the next test looks at.
+// P3: the pairs that samples are made of come back, and with them the same direction: with pairs
+// evenly spread, each cell of them has its part of the solid angle only if the map preserves area,
+// which the next test looks at.
 TEST(SphericalTriangle, SamplesLieInsideAndInvert) {
   UniformNumbers numbers(1);
   for (const Corners& t : kTriangles) {
@@ -85,6 +85,7 @@ std::vector<double> SharesOfCells(Vec3d corner, Vec3d x, Vec3d y, bool is_triang
   return shares;
 }
 
+// P1
 TEST(SphericalTriangle, FollowsItsDensity) {
   for (const Corners& t : kTriangles) {
     const SphericalTriangle triangle(t.a, t.b, t.c);
@@ -137,6 +138,7 @@ TEST(SphericalRectangle, OfAFaceOfACubeHasASixthOfTheSphere) {
               1e-6);
 }
 
+// P3
 TEST(SphericalRectangle, Inverts) {
   UniformNumbers numbers(4);
   for (const Sides& r : kRectangles) {
@@ -152,6 +154,7 @@ TEST(SphericalRectangle, Inverts) {
   }
 }
 
+// P1
 TEST(SphericalRectangle, FollowsItsDensity) {
   for (const Sides& r : kRectangles) {
     const SphericalRectangle rectangle(r.corner, r.x, r.y);

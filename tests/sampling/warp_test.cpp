@@ -47,7 +47,7 @@ size_t SectorOf(float x, float y) {
   return std::min(static_cast<size_t>(turn * kSectors), kSectors - 1);
 }
 
-// Cells are rings of equal height times sectors; their shares are known without quadrature.
+// P1: cells are rings of equal height times sectors; their shares are known without quadrature.
 TEST_P(Directions, FollowTheirDensity) {
   const DirectionWarp& warp = GetParam();
   UniformNumbers numbers(1);
@@ -67,7 +67,7 @@ TEST_P(Directions, FollowTheirDensity) {
   EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate) << warp.name;
 }
 
-// The density is minus the derivative of the share over height, spread over a full turn.
+// P2: the density is minus the derivative of the share over height, spread over a full turn.
 TEST_P(Directions, DensityIsTheDerivativeOfTheShare) {
   const DirectionWarp& warp = GetParam();
   for (int i = 1; i < 100; ++i) {
@@ -79,6 +79,7 @@ TEST_P(Directions, DensityIsTheDerivativeOfTheShare) {
   EXPECT_EQ(CosineHemispherePdf(-0.5f), 0);
 }
 
+// P3
 TEST_P(Directions, AreUnitVectorsAndInvert) {
   const DirectionWarp& warp = GetParam();
   UniformNumbers numbers(2);
@@ -106,6 +107,7 @@ TEST_P(Directions, CornersOfTheSquareAreSafe) {
   }
 }
 
+// P1, P3
 TEST(Disk, FollowsItsDensityAndInverts) {
   UniformNumbers numbers(3);
   std::vector<uint64_t> counts(kRings * kSectors);
@@ -135,7 +137,7 @@ TEST(Disk, MapsCentreToCentreAndCornersToTheRim) {
   EXPECT_NEAR(corner.y, -std::sqrt(0.5f), 1e-7f);
 }
 
-// From a sun of half a degree to nearly everything.
+// P1, P3: from a sun of half a degree to nearly everything.
 TEST(Cone, FollowsItsDensityAndInverts) {
   for (const float one_minus_cosine : {1e-5f, 0.01f, 0.5f, 1.0f, 1.9f}) {
     UniformNumbers numbers(4);
@@ -162,8 +164,8 @@ TEST(Cone, FollowsItsDensityAndInverts) {
   }
 }
 
-// Cells of equal area: squares of a grid in the barycentric weights, those across the long side cut
-// in half.
+// P1, P3: cells of equal area: squares of a grid in the barycentric weights, those across the long
+// side cut in half.
 TEST(TriangleByArea, FollowsItsDensityAndInverts) {
   constexpr size_t kSide = 20;
   UniformNumbers numbers(5);

@@ -1,0 +1,193 @@
+// How fast the noise of path tracing falls with the number of samples: the slope of log RMSE over
+// log N. With CANDELA_SLOW there are more scenes, techniques and runs.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "integrators/path.h"
+#include "integrators/registry.h"
+#include "tests/support/compile_text.h"
+#include "tests/support/estimate.h"
+
+namespace candela {
+namespace {
+
+using testing_support::CompileText;
+using testing_support::EstimateRadiance;
+
+#ifdef CANDELA_SLOW
+constexpr bool kIsSlow = true;
+#else
+constexpr bool kIsSlow = false;
+#endif
+
+/// Pixels from whose means the RMSE is taken, at least: its own relative error is
+/// 1 / sqrt(2 pixels), and that of the slope, which all seven numbers of samples share, 0.097 times
+/// that.
+constexpr uint32_t kPixels = kIsSlow ? 512 : 128;
+/// Samples at least, whatever the pixels: few samples of a pixel cost little.
+constexpr uint32_t kLeastSamples = 65536;
+
+/// A way to choose the points of samples, and the slopes that it may have.
+struct SamplerRow {
+  const char* name;
+  SamplerKind kind;
+  double steepest, shallowest;  ///< In any scene.
+  double under_a_rectangle;     ///< The shallowest in scenes that a rectangle lights.
+};
+
+constexpr double kAny = -std::numeric_limits<double>::infinity();
+
+// A row for each kind of sampler.
+constexpr SamplerRow kSamplers[] = {
+    {"independent", SamplerKind::kIndependent, -0.53, -0.47, -0.47},
+    {"sobol", SamplerKind::kSobol, kAny, -0.50, -0.70},
+};
+
+std::unique_ptr<const Integrator> PathWith(const Scene& scene, uint32_t bounces, SamplerKind kind,
+                                           const PathTechniques& techniques) {
+  IntegratorOptions options;
+  options.bounces = bounces;
+  options.seed = 11;
+  options.sampler = kind;
+  return std::make_unique<PathIntegrator>(scene, options, techniques);
+}
+
+/// The slope of the straight line through log RMSE over log N for N = 4, 16, ..., 4^7, by least
+/// squares.
+double SlopeOfNoise(const Integrator& integrator, Vec2 image_point) {
+  constexpr int kSteps = 7;
+  double slope = 0, weights = 0;
+  for (int k = 1; k <= kSteps; ++k) {
+    const uint32_t samples = 1u << (2 * k);
+    const uint32_t pixels = std::max(kPixels, kLeastSamples / samples);
+    const auto estimate = EstimateRadiance(integrator, image_point, pixels, samples);
+    EXPECT_GT(estimate.error, 0) << "there is no noise to measure";
+    const double log_rmse = std::log(estimate.error * std::sqrt(pixels));
+    const double offset = (k - (kSteps + 1) / 2.0) * std::log(4.0);
+    slope += offset * log_rmse;
+    weights += offset * offset;
+  }
+  return slope / weights;
+}
+
+struct SceneRow {
+  const char* name;
+  uint32_t bounces;
+  bool is_under_a_rectangle;  ///< Whose light comes directly: with one bounce.
+  std::string text;
+};
+
+/// A floor z = 0 of the given material under lamps; the camera looks at the origin.
+std::string Floor(const std::string& floor, const std::string& lamps,
+                  const std::string& camera = "") {
+  return fmt::format(
+      "Camera {{ center 0 -4 1.5 direction 0 4 -1.5 up 0 0 1 fov 30 {} }}\n"
+      "Materials {{ Material {{ {} }} Material {{ type diffuse albedo 0.5 0.5 0.5 }}\n"
+      "Material {{ type dielectric ior 1.5 }} }}\n"
+      "Scene {{ Node {{ Component<Material> {{ index 0 }}\n"
+      "Component<Object> {{ type plane normal 0 0 1 offset 0 }} }}\n{} }}",
+      camera, floor, lamps);
+}
+
+std::string Lamp(const std::string& shape, const std::string& place = "translate 0.3 0.2 1.5") {
+  return fmt::format(
+      "Node {{ Transform {{ {} }} Component<Object> {{ type {} }} Component<Material> {{ index 1 }}"
+      " Component<Light> {{ type area radiance 4 4 4 }} }}\n",
+      place, shape);
+}
+
+std::string Thing(const std::string& shape, const std::string& place, int material = 1) {
+  return fmt::format(
+      "Node {{ Transform {{ {} }} Component<Object> {{ type {} }} "
+      "Component<Material> {{ index {} }} }}\n",
+      place, shape, material);
+}
+
+std::vector<SceneRow> Scenes() {
+  const std::string diffuse = "type diffuse albedo 0.6 0.6 0.6";
+  const std::string rectangle = Lamp("rectangle width 1.5 height 1");
+  std::vector<SceneRow> scenes = {
+      {"FloorUnderARectangle", 1, true, Floor(diffuse, rectangle)},
+      {"PenumbraOfARectangle", 1, true,
+       Floor(diffuse, rectangle + Thing("rectangle width 1 height 3", "translate 0.6 0 0.7"))},
+      {"FloorUnderADisk", 2, false, Floor(diffuse, Lamp("disk radius 0.8"))},
+  };
+  if (!kIsSlow) return scenes;
+  const std::vector<SceneRow> more = {
+      {"FloorUnderASphere", 2, false, Floor(diffuse, Lamp("sphere radius 0.5"))},
+      {"FloorUnderATriangle", 2, false,
+       Floor(diffuse, Lamp("triangle vertex0 -1 0 0 vertex1 1 0 0.4 vertex2 0 1 0"))},
+      {"PlasticUnderARectangle", 1, true,
+       Floor("type plastic albedo 0.5 0.5 0.5 roughness 0.4", rectangle)},
+      {"MetalUnderARectangle", 1, true,
+       Floor("type conductor metal gold roughness 0.5", rectangle)},
+      {"FloorUnderTwoLamps", 2, false,
+       Floor(diffuse, rectangle + Lamp("sphere radius 0.3", "translate -1 0 0.8"))},
+      {"FloorUnderTheSky", 2, false,
+       "Background { color 1 1 1 }\n" +
+           Floor(diffuse, Thing("sphere radius 0.6", "translate 0.5 0.3 0.6"))},
+      {"OutOfFocus", 2, false,
+       Floor(diffuse, rectangle + Thing("sphere radius 0.3", "translate 0 -0.2 0.2"),
+             "aperture 0.3 focus_distance 2")},
+  };
+  scenes.insert(scenes.end(), more.begin(), more.end());
+  return scenes;
+}
+
+void PrintTo(const SceneRow& row, std::ostream* out) {
+  *out << row.name;
+}
+
+class NoiseOf : public testing::TestWithParam<SceneRow> {
+ protected:
+  void ExpectSlopes(const PathTechniques& techniques) {
+    const auto scene = CompileText(GetParam().text);
+    for (const SamplerRow& row : kSamplers) {
+      const auto path = PathWith(*scene, GetParam().bounces, row.kind, techniques);
+      const double slope = SlopeOfNoise(*path, {0.02f, 0.03f});
+      RecordProperty(row.name, fmt::format("{:.3f}", slope));
+      EXPECT_GE(slope, row.steepest) << row.name;
+      EXPECT_LE(slope, GetParam().is_under_a_rectangle ? row.under_a_rectangle : row.shallowest)
+          << row.name;
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, NoiseOf, testing::ValuesIn(Scenes()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+// P10
+TEST_P(NoiseOf, FallsWithTheSamplesAsItsSamplerPromises) {
+  ExpectSlopes({});
+}
+
+#ifdef CANDELA_SLOW
+
+// P10
+TEST_P(NoiseOf, WithOtherWeightsAndChoicesFallsAsItsSamplerPromises) {
+  PathTechniques techniques;
+  techniques.weights = PathTechniques::Weights::kBalanceHeuristic;
+  techniques.light_choice = LightChoice::kUniform;
+  ExpectSlopes(techniques);
+}
+
+// P10
+TEST_P(NoiseOf, WithRaysAloneFallsAsItsSamplerPromises) {
+  PathTechniques techniques;
+  techniques.next_event = false;
+  ExpectSlopes(techniques);
+}
+
+#endif
+
+}  // namespace
+}  // namespace candela

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/surface_point.h"
+#include "materials/bsdf.h"
+#include "materials/material.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+#include "sampling/sampler.h"
+
+namespace candela {
+
+/// What the dimensions of a bounce are used for.
+enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
+
+/// What a surface does with a path; each has a limit of its own.
+enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
+
+inline BounceKind KindOf(bool is_delta, bool is_transmission) {
+  if (is_transmission) return kTransmission;
+  return is_delta ? kMirror : kDiffuse;
+}
+
+/// A sample on its way.
+struct PathState {
+  uint32_t sample = 0;  ///< Its place in the list.
+  Sampler sampler{0, 0, 0, 0};
+  Spectrum throughput = Spectrum(1);
+  Rgb absorption{};  ///< Of the medium that it is in.
+  /// What brings `throughput`, which is about radiance, to a share of power: the square of the
+  /// refractive index.
+  float eta_squared = 1;
+  std::array<uint16_t, 3> bounces_of_kind{};
+  /// The density with which the last surface has drawn the ray, over solid angle; 0 when a sampled
+  /// light could not have done it: from the camera and from mirrors.
+  float pdf = 0;
+  Vec3 p;  ///< The point of that surface.
+};
+
+/// A surface that a path has met.
+struct PathVertex {
+  SurfacePoint point;
+  Vec3 wo;
+  Bsdf bsdf;
+  const Material* material;
+
+  /// The medium beyond the surface, seen from where the path comes from.
+  Rgb AbsorptionBeyond() const {
+    return Dot(point.n_shading, bsdf.frame.z) > 0 ? material->Absorption() : Rgb();
+  }
+};
+
+}  // namespace candela

@@ -103,15 +103,15 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   batch->rays.camera += samples.size();
 
   RayOrder order = is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered;
-  for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
+  for (uint32_t step = 0; paths.size() > 0; ++step) {
     paths.FindHits(scene_, order);
-    Shade(bounce, batch, radiance);
+    Shade(step, batch, radiance);
     AddSampledLight(batch, radiance);
     order = RayOrder::kScattered;
   }
 }
 
-void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radiance) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
   PathQueue<PathState>& paths = batch->paths;
@@ -134,17 +134,18 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
       radiance[path.sample] +=
           path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, lamp);
     }
-    if (bounce == bounces_) continue;
+    vertex.material = &scene_.material(hit);
+    const bool is_last = path.bounces == bounces_;
+    if (is_last && !vertex.material->HasHoles()) continue;
 
     const Vec3 n = vertex.point.n_shading;
     vertex.bsdf.frame = Frame::FromNormal(Dot(n, vertex.wo) < 0 ? -n : n);
-    vertex.material = &scene_.material(hit);
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
-    if (lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
-      SampleLight(path, bounce, vertex, batch);
+    if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
+      SampleLight(path, step, vertex, batch);
     }
     Ray next;
-    if (!Scatter(bounce, vertex, &path, &next)) continue;
+    if (!Scatter(step, vertex, &path, &next)) continue;
     paths.states()[left] = path;
     paths.rays()[left] = next;
     ++left;
@@ -153,10 +154,10 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
   batch->rays.reflection += left;
 }
 
-void PathIntegrator::SampleLight(const PathState& path, uint32_t bounce, const PathVertex& vertex,
+void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
   const auto& [point, wo, bsdf, material] = vertex;
-  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(bounce), point.p);
+  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
 
@@ -187,17 +188,27 @@ void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance)
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
+    if (batch->is_shadowed[i]) continue;
     const auto& [sample, value] = batch->contributions[i];
-    if (!batch->is_shadowed[i]) radiance[sample] += value;
+    const float left = scene_.HasHoles() ? scene_.Transparency(batch->shadow_rays[i]) : 1;
+    radiance[sample] += value * left;
   }
 }
 
-bool PathIntegrator::Scatter(uint32_t bounce, const PathVertex& vertex, PathState* path,
+bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState* path,
                              Ray* ray) const {
-  const uint32_t dimension = BounceDimension(bounce);
+  const uint32_t dimension = BounceDimension(step);
   const BsdfSample next =
       Sample(vertex.bsdf, vertex.wo, path->sampler.Get2D(dimension + kDirection));
   if (next.pdf == 0) return false;
+  if (next.is_hole) {
+    // No event: what is known of the last surface and its ray goes on to be true.
+    path->throughput *= next.weight;
+    *ray = SpawnRay(vertex.point, next.wi);
+    ray->mask = kReflectionRay;
+    return true;
+  }
+  if (path->bounces == bounces_) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
   if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
   if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;
@@ -207,12 +218,13 @@ bool PathIntegrator::Scatter(uint32_t bounce, const PathVertex& vertex, PathStat
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.
-  if (has_roulette_ && bounce >= kRouletteAfter) {
+  if (has_roulette_ && path->bounces >= kRouletteAfter) {
     const float share = path->throughput.MaxComponent() * path->eta_squared;
     const float survival = std::min(0.95f, kSurvivalOfShare * share);
     if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }
+  ++path->bounces;
   if (path->bounces_of_kind[kind] < std::numeric_limits<uint16_t>::max()) {
     ++path->bounces_of_kind[kind];
   }

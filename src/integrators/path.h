@@ -39,15 +39,15 @@ class PathIntegrator final : public Integrator {
   void Follow(std::span<const SampleRequest> samples, Batch* batch,
               std::span<Spectrum> radiance) const;
 
-  // The stages of one bounce: what the rays have met is lit, in part, and sends out new rays; then
+  // The stages of one step: what the rays have met is lit, in part, and sends out new rays; then
   // those shadow rays that reach their lights add to the sums.
-  void Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance) const;
+  void Shade(uint32_t step, Batch* batch, std::span<Spectrum> radiance) const;
   void AddSampledLight(Batch* batch, std::span<Spectrum> radiance) const;
 
-  void SampleLight(const PathState& path, uint32_t bounce, const PathVertex& vertex,
+  void SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                    Batch* batch) const;
-  /// False when the path ends.
-  bool Scatter(uint32_t bounce, const PathVertex& vertex, PathState* path, Ray* ray) const;
+  /// Whether the path goes on, and where.
+  bool Scatter(uint32_t step, const PathVertex& vertex, PathState* path, Ray* ray) const;
 
   const Scene& scene_;
   PathLights lights_;

@@ -32,9 +32,11 @@ struct PathState {
   /// What brings `throughput`, which is about radiance, to a share of power: the square of the
   /// refractive index.
   float eta_squared = 1;
+  uint32_t bounces = 0;  ///< So far; holes that it has gone through do not count.
   std::array<uint16_t, 3> bounces_of_kind{};
   /// The density with which the last surface has drawn the ray, over solid angle; 0 when a sampled
-  /// light could not have done it: from the camera and from mirrors.
+  /// light could not have done it: from the camera and from mirrors. Holes on the way change
+  /// nothing: rays to sampled lights pass them, too.
   float pdf = 0;
   Vec3 p;  ///< The point of that surface.
 };

@@ -57,6 +57,7 @@ struct BsdfSample {
   bool is_delta = false;
   bool is_transmission = false;  ///< `wi` and `wo` lie on different sides of the surface.
   bool enters = false;           ///< And it gets into another body: not by a hole or a pane.
+  bool is_hole = false;          ///< Nothing is there: `wi` is -`wo`, and the surface no event.
   /// The refractive index on the side of `wi` over that on the side of `wo`. Radiance is carried,
   /// so light that gets into glass is weaker by its square and recovers when it leaves again:
   /// `weight` times the square is the share of the power, which Russian roulette should look at.

@@ -39,6 +39,13 @@ class Material {
   /// part exp(-absorption * length) is left.
   virtual Rgb Absorption() const { return {}; }
 
+  /// The share of the surface at a point where nothing is, and light goes on as it came: that of
+  /// the lobes of the kind `kHole`.
+  virtual float Transparency(const SurfacePoint& /*point*/) const { return 0; }
+
+  /// Whether that can be above 0.
+  virtual bool HasHoles() const { return false; }
+
   /// How many lobes `Evaluate` adds at most.
   virtual int MostLobes() const { return 1; }
 

@@ -24,6 +24,11 @@ class MixMaterial final : public Material {
     const Rgb first = first_.Absorption();
     return first != Rgb() ? first : second_.Absorption();
   }
+  float Transparency(const SurfacePoint& point) const override {
+    const float t = amount_.At(point);
+    return first_.Transparency(point) * (1 - t) + second_.Transparency(point) * t;
+  }
+  bool HasHoles() const override { return first_.HasHoles() || second_.HasHoles(); }
   int MostLobes() const override { return first_.MostLobes() + second_.MostLobes(); }
   bool NeedsTextureCoordinates() const override;
   bool IsPhysical() const override { return first_.IsPhysical() && second_.IsPhysical(); }

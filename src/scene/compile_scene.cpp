@@ -165,7 +165,10 @@ class SceneCompiler {
                                 Transform(*object_from_world), *material, light, false, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
     const auto& made_of = scene_->materials_[*material];
-    scene_->objects_.back().is_textured = made_of && made_of->NeedsTextureCoordinates();
+    SceneObject& object = scene_->objects_.back();
+    object.is_textured = made_of && made_of->NeedsTextureCoordinates();
+    object.has_holes = made_of && made_of->HasHoles();
+    scene_->has_holes_ |= object.has_holes;
     places_.push_back({world_from_node, where});
   }
 

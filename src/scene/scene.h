@@ -40,6 +40,14 @@ class Scene {
     tree_.group->Occluded(order, rays, occluded);
   }
 
+  /// Whether surfaces of some objects have holes. Rays of the kind `kShadowRay` pass those objects.
+  bool HasHoles() const { return has_holes_; }
+
+  /// What all objects leave of the light in `ray.t_min <= t < ray.t_max`: the product of the shares
+  /// of their surfaces where nothing is, which is 0 when one has no holes. One hit after the other:
+  /// to be asked where `Occluded` has found nothing.
+  float Transparency(Ray ray) const;
+
   /// The hit point in world space, with unit normals; with texture coordinates where the material
   /// asks for them.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
@@ -79,6 +87,7 @@ class Scene {
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<std::shared_ptr<const Texture>> textures_;
   SceneTree tree_;
+  bool has_holes_ = false;
 };
 
 }  // namespace candela

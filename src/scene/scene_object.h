@@ -23,6 +23,7 @@ struct SceneObject {
   std::string type;           ///< As in the registry of shapes.
   std::string description;    ///< For people: type and line in the scene file.
   bool is_textured = false;   ///< The material asks for texture coordinates.
+  bool has_holes = false;     ///< The material lets light through as if nothing were there.
 
   /// The ray as the shape gets it for `Intersect` and `SurfaceAt`. Where it ends says the record of
   /// the hit, and whom it sees has been decided; leaving that out saves copies that would have to

@@ -24,12 +24,16 @@ struct RayCounts {
   uint64_t camera = 0;
   uint64_t reflection = 0;  ///< Mirror reflections and bounces of paths.
   uint64_t shadow = 0;
+  /// Surfaces that light has met inside of so many bodies that one more is left out; see
+  /// `MediumStack`.
+  uint64_t crowded = 0;
 
   uint64_t Total() const { return camera + reflection + shadow; }
   RayCounts& operator+=(const RayCounts& other) {
     camera += other.camera;
     reflection += other.reflection;
     shadow += other.shadow;
+    crowded += other.crowded;
     return *this;
   }
 };

@@ -29,6 +29,23 @@ bool IsOnWrongSide(const SurfacePoint& point, Vec3 wo, Vec3 wi, bool is_transmis
   return is_one_side == is_transmission;
 }
 
+/// The shading normal on the side of the true surface that the direction is on, bent towards the
+/// direction where it looks away from it: on round objects of few triangles, near their outline.
+Vec3 NormalTowards(const SurfacePoint& point, Vec3 w) {
+  constexpr float kLeastCosine = 1e-3f;
+  const bool is_outside = Dot(point.OutwardNormal(), w) >= 0;
+  const Vec3 n = is_outside ? point.n_shading : -point.n_shading;
+  const float cosine = Dot(n, w);
+  return cosine > 0 ? n : Normalize(n + w * (kLeastCosine - cosine));
+}
+
+/// The ray that goes on as if the surface were not there.
+Ray PassOn(const PathVertex& vertex) {
+  Ray ray = SpawnRay(vertex.point, -vertex.wo);
+  ray.mask = kReflectionRay;
+  return ray;
+}
+
 }  // namespace
 
 /// What is known of samples that are followed together.
@@ -49,6 +66,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                                const PathTechniques& techniques)
     : scene_(scene),
       lights_(scene, techniques),
+      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
       bounces_(options.bounces.value_or(kUnlimited)),
       bounces_of_kind_{options.diffuse_bounces.value_or(kUnlimited),
                        options.mirror_bounces.value_or(kUnlimited),
@@ -94,6 +112,7 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     PathState& path = paths.states()[i];
     path = PathState();
     path.sample = i;
+    path.media = media_at_camera_;
     path.sampler = Sampler(seed_, request.x, request.y, request.index);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
@@ -122,24 +141,35 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
     PathState& path = paths.states()[i];
     if (!hit.IsHit()) {
       Spectrum light = lights_.FromSky(path, ray.direction);
-      if (path.absorption != Rgb()) light *= EndlessTransmittance(path.absorption);
+      light *= EndlessTransmittance(path.media.Absorption(scene_.interiors()));
       radiance[path.sample] += path.throughput * light;
       continue;
     }
-    if (path.absorption != Rgb()) path.throughput *= Transmittance(path.absorption, hit.t);
+    if (!path.media.IsEmpty()) {
+      path.throughput *= Transmittance(path.media.Absorption(scene_.interiors()), hit.t);
+    }
     PathVertex vertex;
     vertex.point = scene_.SurfaceAt(ray, hit);
     vertex.wo = -Normalize(ray.direction);
-    if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
+    const SceneObject& object = scene_.objects()[hit.object];
+    if (object.light != SceneObject::kNoLight) {
       radiance[path.sample] +=
-          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, lamp);
+          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light);
+    }
+    if (object.interior != SceneObject::kNoInterior &&
+        !FindMedia(object.interior, path, batch, &vertex)) {
+      path.media = vertex.media_beyond;
+      path.pdf = 0;  // Rays to sampled lights do not pass.
+      paths.states()[left] = path;
+      paths.rays()[left] = PassOn(vertex);
+      ++left;
+      continue;
     }
     vertex.material = &scene_.material(hit);
     const bool is_last = path.bounces == bounces_;
     if (is_last && !vertex.material->HasHoles()) continue;
 
-    const Vec3 n = vertex.point.n_shading;
-    vertex.bsdf.frame = Frame::FromNormal(Dot(n, vertex.wo) < 0 ? -n : n);
+    vertex.bsdf.frame = Frame::FromNormal(NormalTowards(vertex.point, vertex.wo));
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
       SampleLight(path, step, vertex, batch);
@@ -156,7 +186,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
 
 void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material] = vertex;
+  const auto& [point, wo, bsdf, material, media_beyond] = vertex;
   const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
@@ -173,8 +203,10 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
 
   const float weight = draw.is_found_too ? lights_.Weight(draw.pdf, scattered.pdf) : 1;
   Spectrum arriving = sample.radiance * (std::abs(cosine) * weight / draw.pdf);
-  const Rgb absorption = is_transmission ? vertex.AbsorptionBeyond() : path.absorption;
-  if (absorption != Rgb()) arriving *= Transmittance(absorption, sample.distance);
+  const MediumStack& media = is_transmission ? vertex.media_beyond : path.media;
+  if (!media.IsEmpty()) {
+    arriving *= Transmittance(media.Absorption(scene_.interiors()), sample.distance);
+  }
 
   Ray ray = SpawnRay(point, wi);
   ray.t_max = sample.distance;
@@ -195,6 +227,26 @@ void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance)
   }
 }
 
+bool PathIntegrator::FindMedia(uint32_t interior, const PathState& path, Batch* batch,
+                               PathVertex* vertex) const {
+  const bool enters = Dot(vertex->point.OutwardNormal(), vertex->wo) >= 0;
+  const std::span<const Interior> interiors = scene_.interiors();
+  vertex->media_beyond = path.media;
+  if (enters) {
+    if (path.media.IsFull()) ++batch->rays.crowded;
+    vertex->media_beyond.Enter(interior);
+  } else {
+    vertex->media_beyond.Leave(interior);
+  }
+  if (path.media.Hides(interiors, interior, enters)) return false;
+  if (interiors[interior].is_explicit) {
+    const float inside = interiors[interior].medium.ior;
+    vertex->bsdf.index_here = enters ? path.media.Index(interiors) : inside;
+    vertex->bsdf.index_beyond = enters ? inside : vertex->media_beyond.Index(interiors);
+  }
+  return true;
+}
+
 bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState* path,
                              Ray* ray) const {
   const uint32_t dimension = BounceDimension(step);
@@ -204,8 +256,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
   if (next.is_hole) {
     // No event: what is known of the last surface and its ray goes on to be true.
     path->throughput *= next.weight;
-    *ray = SpawnRay(vertex.point, next.wi);
-    ray->mask = kReflectionRay;
+    *ray = PassOn(vertex);
     return true;
   }
   if (path->bounces == bounces_) return false;
@@ -214,7 +265,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
   if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;
   path->throughput *= next.weight;
   if (path->throughput.IsBlack()) return false;
-  if (next.enters) path->absorption = vertex.AbsorptionBeyond();
+  if (next.enters) path->media = vertex.media_beyond;
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.

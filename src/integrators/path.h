@@ -46,11 +46,15 @@ class PathIntegrator final : public Integrator {
 
   void SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                    Batch* batch) const;
+  /// Sets what there is on both sides of the surface of a body; false when it lies hidden in
+  /// another body.
+  bool FindMedia(uint32_t interior, const PathState& path, Batch* batch, PathVertex* vertex) const;
   /// Whether the path goes on, and where.
   bool Scatter(uint32_t step, const PathVertex& vertex, PathState* path, Ray* ray) const;
 
   const Scene& scene_;
   PathLights lights_;
+  MediumStack media_at_camera_;
   uint32_t bounces_;
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;

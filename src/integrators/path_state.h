@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "geometry/surface_point.h"
+#include "integrators/medium_stack.h"
 #include "materials/bsdf.h"
 #include "materials/material.h"
 #include "math/spectrum.h"
@@ -28,7 +29,7 @@ struct PathState {
   uint32_t sample = 0;  ///< Its place in the list.
   Sampler sampler{0, 0, 0, 0};
   Spectrum throughput = Spectrum(1);
-  Rgb absorption{};  ///< Of the medium that it is in.
+  MediumStack media;  ///< What it is in.
   /// What brings `throughput`, which is about radiance, to a share of power: the square of the
   /// refractive index.
   float eta_squared = 1;
@@ -47,11 +48,7 @@ struct PathVertex {
   Vec3 wo;
   Bsdf bsdf;
   const Material* material;
-
-  /// The medium beyond the surface, seen from where the path comes from.
-  Rgb AbsorptionBeyond() const {
-    return Dot(point.n_shading, bsdf.frame.z) > 0 ? material->Absorption() : Rgb();
-  }
+  MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
 };
 
 }  // namespace candela

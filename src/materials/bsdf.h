@@ -14,6 +14,9 @@ struct Bsdf {
   static constexpr int kMostLobes = 4;
 
   Frame frame;  ///< Its z axis is the shading normal on the side of the ray that hit.
+  /// The refractive indices on that side and beyond, where a scene says what fills objects; else 0:
+  /// then the material knows its own, which it has against air.
+  float index_here = 0, index_beyond = 0;
   int count = 0;
   float pick_sum = 0;
   Lobe lobes[kMostLobes];

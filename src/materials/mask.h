@@ -20,7 +20,7 @@ class MaskMaterial final : public Material {
   /// `whitted` sees no holes.
   PhongTerms Phong(const SurfacePoint& point) const override { return material_.Phong(point); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  Rgb Absorption() const override { return material_.Absorption(); }
+  const Medium* Body() const override { return material_.Body(); }
   float Transparency(const SurfacePoint& point) const override {
     return 1 - opacity_.At(point) * (1 - material_.Transparency(point));
   }

@@ -26,7 +26,7 @@ class ReliefMaterial final : public Material {
 
   PhongTerms Phong(const SurfacePoint& point) const override { return material_->Phong(point); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  Rgb Absorption() const override { return material_->Absorption(); }
+  const Medium* Body() const override { return material_->Body(); }
   float Transparency(const SurfacePoint& point) const override {
     return material_->Transparency(point);
   }

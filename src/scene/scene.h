@@ -14,6 +14,7 @@
 #include "lights/light.h"
 #include "materials/material.h"
 #include "scene/background.h"
+#include "scene/interior.h"
 #include "scene/scene_object.h"
 #include "scene/scene_tree.h"
 #include "textures/texture.h"
@@ -66,6 +67,8 @@ class Scene {
     return *materials_[objects_[hit.object].material];
   }
   const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
+  /// What objects are filled with: different ones, each for any number of objects.
+  const std::vector<Interior>& interiors() const { return interiors_; }
 
   /// The box around all bounded objects.
   Bounds3 Bounds() const;
@@ -86,6 +89,7 @@ class Scene {
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<std::shared_ptr<const Texture>> textures_;
+  std::vector<Interior> interiors_;
   SceneTree tree_;
   bool has_holes_ = false;
 };

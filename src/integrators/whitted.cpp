@@ -79,7 +79,7 @@ struct WhittedIntegrator::Batch final : Workspace {
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
     : scene_(scene), bounces_(bounces), shadows_(shadows) {
   for (const auto& light : scene.lights()) {
-    if (light->IsDelta()) delta_lights_.push_back(light.get());
+    if (!light->IsSurface()) sharp_lights_.push_back(light.get());
   }
 }
 
@@ -128,7 +128,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
     paths.FindHits(scene_, order);
     EndMisses(batch, radiance, observer);
     FindSurfaces(batch, observer);
-    for (const Light* light : delta_lights_) {
+    for (const Light* light : sharp_lights_) {
       if (shadows_) FindShadows(*light, order, batch);
       AddLight(*light, batch, observer);
     }

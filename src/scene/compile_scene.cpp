@@ -137,7 +137,7 @@ class SceneCompiler {
       return SceneObject::kNoLight;
     }
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
-    const bool is_surface = !light->IsDelta();
+    const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
     scene_->lights_.push_back(std::move(light));
     return is_surface ? index : SceneObject::kNoLight;

@@ -16,7 +16,8 @@ namespace candela {
 struct SampleRequest {
   uint32_t x = 0, y = 0;  ///< The pixel in the whole picture, from the top left.
   uint32_t index = 0;     ///< The number of the sample in the pixel.
-  Vec2 image_point;       ///< Where it goes through the camera's image plane.
+  Vec2 image_point;       ///< Where it goes through the camera's image plane,
+  float spacing = 0;      ///< and how far from each other pixels are there; 0 when unknown.
 };
 
 /// Rays traced so far, by kind.

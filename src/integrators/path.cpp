@@ -24,8 +24,11 @@ constexpr float kSurvivalOfShare = 2;
 
 /// Whether light that goes through stays on one side of the true surface, or light that is
 /// reflected goes through it. Where a shading normal says otherwise, light would leak.
-bool IsOnWrongSide(const SurfacePoint& point, Vec3 wo, Vec3 wi, bool is_transmission) {
-  const bool is_one_side = Dot(point.n_geometric, wo) * Dot(point.n_geometric, wi) > 0;
+bool IsOnWrongSide(const PathVertex& vertex, Vec3 wi, bool is_transmission) {
+  const Vec3 n = vertex.point.n_geometric;
+  const bool is_one_side = Dot(n, vertex.wo) * Dot(n, wi) > 0;
+  // A lifted point is high enough for its own triangle to be in the way of what would leak.
+  if (vertex.is_lifted && !is_transmission) return false;
   return is_one_side == is_transmission;
 }
 
@@ -37,6 +40,10 @@ Vec3 NormalTowards(const SurfacePoint& point, Vec3 w) {
   const Vec3 n = is_outside ? point.n_shading : -point.n_shading;
   const float cosine = Dot(n, w);
   return cosine > 0 ? n : Normalize(n + w * (kLeastCosine - cosine));
+}
+
+Ray LeavingRay(const PathVertex& vertex, Vec3 w) {
+  return SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
 }
 
 /// The ray that goes on as if the surface were not there.
@@ -72,7 +79,8 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                        options.mirror_bounces.value_or(kUnlimited),
                        options.transmission_bounces.value_or(kUnlimited)},
       seed_(options.seed),
-      has_roulette_(techniques.roulette) {}
+      has_roulette_(techniques.roulette),
+      has_lift_(techniques.lift) {}
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
@@ -107,12 +115,14 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   PathQueue<PathState>& paths = batch->paths;
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
+  const float angle_per_unit = scene_.camera().AnglePerUnit();
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
     PathState& path = paths.states()[i];
     path = PathState();
     path.sample = i;
     path.media = media_at_camera_;
+    path.cone.spread = request.spacing * angle_per_unit;
     path.sampler = Sampler(seed_, request.x, request.y, request.index);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
@@ -150,6 +160,8 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
     }
     PathVertex vertex;
     vertex.point = scene_.SurfaceAt(ray, hit);
+    path.cone.Travel(hit.t);
+    vertex.point.footprint = path.cone.width;
     vertex.wo = -Normalize(ray.direction);
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
@@ -171,6 +183,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
 
     vertex.bsdf.frame = Frame::FromNormal(NormalTowards(vertex.point, vertex.wo));
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
+    if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
       SampleLight(path, step, vertex, batch);
     }
@@ -186,7 +199,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
 
 void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material, media_beyond] = vertex;
+  const auto& [point, wo, bsdf, material, is_lifted, media_beyond] = vertex;
   const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
@@ -196,7 +209,7 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
   const bool is_transmission = cosine < 0;
   const BounceKind kind = KindOf(false, is_transmission);
   if (path.bounces_of_kind[kind] >= bounces_of_kind_[kind]) return;
-  if (IsOnWrongSide(point, wo, wi, is_transmission)) return;
+  if (IsOnWrongSide(vertex, wi, is_transmission)) return;
   const BsdfValue scattered =
       draw.is_found_too ? EvalWithPdf(bsdf, wo, wi) : BsdfValue{Eval(bsdf, wo, wi), 0};
   if (scattered.value.IsBlack()) return;
@@ -208,7 +221,7 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
     arriving *= Transmittance(media.Absorption(scene_.interiors()), sample.distance);
   }
 
-  Ray ray = SpawnRay(point, wi);
+  Ray ray = LeavingRay(vertex, wi);
   ray.t_max = sample.distance;
   ray.mask = kShadowRay;
   batch->shadow_rays.push_back(ray);
@@ -247,6 +260,15 @@ bool PathIntegrator::FindMedia(uint32_t interior, const PathState& path, Batch* 
   return true;
 }
 
+void PathIntegrator::Lift(const HitRecord& hit, PathVertex* vertex) const {
+  if (!vertex->bsdf.IsOpaque()) return;  // What goes through starts on the true surface.
+  const bool is_inside = Dot(vertex->point.OutwardNormal(), vertex->wo) < 0;
+  const Vec3 lift = scene_.LiftOf(hit, vertex->point, is_inside);
+  if (lift == Vec3()) return;
+  vertex->point.p += lift;
+  vertex->is_lifted = true;
+}
+
 bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState* path,
                              Ray* ray) const {
   const uint32_t dimension = BounceDimension(step);
@@ -262,7 +284,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
   if (path->bounces == bounces_) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
   if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
-  if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;
+  if (IsOnWrongSide(vertex, next.wi, next.is_transmission)) return false;
   path->throughput *= next.weight;
   if (path->throughput.IsBlack()) return false;
   if (next.enters) path->media = vertex.media_beyond;
@@ -280,8 +302,9 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
     ++path->bounces_of_kind[kind];
   }
   path->pdf = next.is_delta ? 0 : next.pdf;
+  if (!next.is_delta) path->cone.Scatter(next.pdf);
   path->p = vertex.point.p;
-  *ray = SpawnRay(vertex.point, next.wi);
+  *ray = LeavingRay(vertex, next.wi);
   ray->mask = kReflectionRay;
   return true;
 }

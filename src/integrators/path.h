@@ -49,6 +49,8 @@ class PathIntegrator final : public Integrator {
   /// Sets what there is on both sides of the surface of a body; false when it lies hidden in
   /// another body.
   bool FindMedia(uint32_t interior, const PathState& path, Batch* batch, PathVertex* vertex) const;
+  /// Moves the point of a rounded mesh to where the round surface would be.
+  void Lift(const HitRecord& hit, PathVertex* vertex) const;
   /// Whether the path goes on, and where.
   bool Scatter(uint32_t step, const PathVertex& vertex, PathState* path, Ray* ray) const;
 
@@ -58,7 +60,7 @@ class PathIntegrator final : public Integrator {
   uint32_t bounces_;
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;
-  bool has_roulette_;
+  bool has_roulette_, has_lift_;
 };
 
 }  // namespace candela

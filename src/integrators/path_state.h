@@ -5,6 +5,7 @@
 
 #include "geometry/surface_point.h"
 #include "integrators/medium_stack.h"
+#include "integrators/ray_cone.h"
 #include "materials/bsdf.h"
 #include "materials/material.h"
 #include "math/spectrum.h"
@@ -40,6 +41,7 @@ struct PathState {
   /// nothing: rays to sampled lights pass them, too.
   float pdf = 0;
   Vec3 p;  ///< The point of that surface.
+  RayCone cone;
 };
 
 /// A surface that a path has met.
@@ -48,6 +50,7 @@ struct PathVertex {
   Vec3 wo;
   Bsdf bsdf;
   const Material* material;
+  bool is_lifted = false;    ///< See `Scene::LiftOf`.
   MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
 };
 

@@ -41,6 +41,14 @@ struct Bsdf {
     pick_sum += (picks > 0 ? mixed_share : 0) - picks;
   }
 
+  /// Whether no light goes through to the other side.
+  bool IsOpaque() const {
+    for (int i = 0; i < count; ++i) {
+      if (candela::LetsThrough(lobes[i].kind)) return false;
+    }
+    return true;
+  }
+
   /// Whether light goes into more than single directions: whether `Eval` and `Pdf` can be above 0.
   bool HasSmoothPart() const {
     for (int i = 0; i < count; ++i) {

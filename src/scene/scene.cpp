@@ -46,6 +46,12 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   return world;
 }
 
+Vec3 Scene::LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const {
+  const SceneObject& object = objects_[hit.object];
+  const Vec3 local = object.object_from_world.Point(point.p);
+  return object.world_from_object.Vector(object.shape->LiftOf(hit, local, is_inside));
+}
+
 float Scene::Transparency(Ray ray) const {
   ray.mask = kHoleRay;
   float left = 1;

@@ -53,6 +53,11 @@ class Scene {
   /// asks for them.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
 
+  /// From the point of a hit to the round surface that the shading normals of its mesh pretend, on
+  /// the inside or on the outside; 0 where it does not bulge there. Rays that start from it are not
+  /// stopped by the flat triangles around.
+  Vec3 LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const;
+
   /// The hit as the course sees it, at a third of the cost: the point o + t d, the shading normal,
   /// and texture coordinates for materials that ask for them. The geometric normal and the error
   /// bound stay 0, so no ray can be spawned from it.

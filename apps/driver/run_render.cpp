@@ -101,7 +101,7 @@ class RenderRun {
   void WarnOfUnseenLights() const {
     if (request_.integrator != "whitted") return;
     for (const auto& light : loaded_->scene->lights()) {
-      if (light->IsDelta()) continue;
+      if (!light->IsSurface()) continue;
       PrintWarning(request_.program,
                    "area lights shine but light nothing in 'whitted'; 'candela render "
                    "--integrator path' follows their light");
@@ -149,6 +149,11 @@ class RenderRun {
     if (statistics_.dropped_samples > 0) {
       PrintWarning(request_.program, fmt::format("{} samples were not finite and are left out",
                                                  statistics_.dropped_samples));
+    }
+    if (statistics_.rays.crowded > 0) {
+      PrintWarning(request_.program,
+                   "in some places light is in more than four bodies that overlap; the others are "
+                   "taken as if they were not there");
     }
     return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
   }

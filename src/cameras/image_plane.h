@@ -27,6 +27,9 @@ class ImagePlane {
     return {x_.Map(static_cast<float>(x) + offset.x), y_.Map(row - offset.y)};
   }
 
+  /// The distance between neighbouring pixels in a column.
+  float Spacing() const { return 2 / y_.pixels * y_.scale; }
+
  private:
   struct Axis {
     float pixels;  ///< Between -1 and 1.

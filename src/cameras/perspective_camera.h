@@ -25,6 +25,10 @@ class PerspectiveCamera {
   /// through the middle where that is in focus.
   Ray GenerateRay(Vec2 image_point, Vec2 u) const;
 
+  /// The angle between rays through points of the image plane that are one unit apart, near its
+  /// middle, for small distances in proportion.
+  float AnglePerUnit() const { return Length(up_) / Length(forward_); }
+
   /// Whether all rays go through one point.
   bool IsPinhole() const { return lens_radius_ == 0; }
 

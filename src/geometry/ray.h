@@ -11,7 +11,8 @@ namespace candela {
 enum RayKind : uint32_t {
   kCameraRay = 1,
   kReflectionRay = 2,  ///< Mirror reflections and bounces of paths.
-  kShadowRay = 4,
+  kShadowRay = 4,      ///< Asks whether light is stopped: passes surfaces with holes,
+  kHoleRay = 8,        ///< which are there for this one.
   kAnyRay = 0xFFFFFFFF,
 };
 

@@ -18,18 +18,22 @@ inline float NextFloat(float x, float toward) {
 
 /// A ray that leaves a surface towards the unit direction `w`. It starts beside the surface by the
 /// error bound of the hit, so that it cannot hit the same spot again, whatever the scale of the
-/// scene: Pharr, Jakob and Humphreys, "Physically Based Rendering", 3rd edition, section 3.9.5,
-/// 2016.
-inline Ray SpawnRay(const SurfacePoint& point, Vec3 w) {
+/// scene, on the side of the surface that the direction `side` is on: Pharr, Jakob and Humphreys,
+/// "Physically Based Rendering", 3rd edition, section 3.9.5, 2016.
+inline Ray SpawnRay(const SurfacePoint& point, Vec3 w, Vec3 side) {
   // The error box, seen along the normal.
   const float distance = Dot(Abs(point.n_geometric), point.p_error);
-  const Vec3 n = Dot(point.n_geometric, w) < 0 ? -point.n_geometric : point.n_geometric;
+  const Vec3 n = Dot(point.n_geometric, side) < 0 ? -point.n_geometric : point.n_geometric;
   Vec3 origin = point.p + n * distance;
   // The sum was rounded: make sure that it was not rounded back towards the surface.
   for (int axis = 0; axis < 3; ++axis) {
     if (n[axis] != 0) origin[axis] = NextFloat(origin[axis], n[axis]);
   }
   return {origin, w};
+}
+/// On the side to which it goes.
+inline Ray SpawnRay(const SurfacePoint& point, Vec3 w) {
+  return SpawnRay(point, w, w);
 }
 
 }  // namespace candela

@@ -15,6 +15,11 @@ struct SurfacePoint {
   Vec3 n_geometric;  ///< Unit normal of the true surface, on the side its definition says.
   Vec3 n_shading;    ///< Unit normal for shading; never flipped towards the viewer.
 
+  /// The normal of the true surface on the side that `n_shading` says is outside.
+  Vec3 OutwardNormal() const {
+    return Dot(n_geometric, n_shading) < 0 ? -n_geometric : n_geometric;
+  }
+
   // The rest is there only where the material asks for texture coordinates.
   Vec2 uv{};
   Vec3 dpdu{}, dpdv{};  ///< How `p` moves with them; 0 where they say nothing.

@@ -16,7 +16,8 @@ namespace candela {
 struct SampleRequest {
   uint32_t x = 0, y = 0;  ///< The pixel in the whole picture, from the top left.
   uint32_t index = 0;     ///< The number of the sample in the pixel.
-  Vec2 image_point;       ///< Where it goes through the camera's image plane.
+  Vec2 image_point;       ///< Where it goes through the camera's image plane,
+  float spacing = 0;      ///< and how far from each other pixels are there; 0 when unknown.
 };
 
 /// Rays traced so far, by kind.
@@ -24,12 +25,16 @@ struct RayCounts {
   uint64_t camera = 0;
   uint64_t reflection = 0;  ///< Mirror reflections and bounces of paths.
   uint64_t shadow = 0;
+  /// Surfaces that light has met inside of so many bodies that one more is left out; see
+  /// `MediumStack`.
+  uint64_t crowded = 0;
 
   uint64_t Total() const { return camera + reflection + shadow; }
   RayCounts& operator+=(const RayCounts& other) {
     camera += other.camera;
     reflection += other.reflection;
     shadow += other.shadow;
+    crowded += other.crowded;
     return *this;
   }
 };

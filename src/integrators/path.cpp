@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "geometry/spawn_ray.h"
+#include "integrators/beers_law.h"
 #include "integrators/path_queue.h"
 #include "integrators/registry.h"
-#include "math/elementary.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -22,96 +24,38 @@ constexpr float kSurvivalOfShare = 2;
 // From this bounce on no path is sure to survive, so that even those without any loss end.
 constexpr uint32_t kUncertainAfter = 4;
 
-// What the dimensions of a bounce are used for.
-enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
-
-/// What a surface does with a path; each has a limit of its own.
-enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
-
-BounceKind KindOf(bool is_delta, bool is_transmission) {
-  if (is_transmission) return kTransmission;
-  return is_delta ? kMirror : kDiffuse;
-}
-
 /// Whether light that goes through stays on one side of the true surface, or light that is
 /// reflected goes through it. Where a shading normal says otherwise, light would leak.
-bool IsOnWrongSide(const SurfacePoint& point, Vec3 wo, Vec3 wi, bool is_transmission) {
-  const bool is_one_side = Dot(point.n_geometric, wo) * Dot(point.n_geometric, wi) > 0;
+bool IsOnWrongSide(const PathVertex& vertex, Vec3 wi, bool is_transmission) {
+  const Vec3 n = vertex.point.n_geometric;
+  const bool is_one_side = Dot(n, vertex.wo) * Dot(n, wi) > 0;
+  // A lifted point is high enough for its own triangle to be in the way of what would leak.
+  if (vertex.is_lifted && !is_transmission) return false;
   return is_one_side == is_transmission;
 }
 
-/// The part of the light that a way through a medium leaves: Beer's law.
-Spectrum Transmittance(Rgb absorption, float distance) {
-  return Spectrum(Rgb{Exp(-absorption.x * distance), Exp(-absorption.y * distance),
-                      Exp(-absorption.z * distance)});
+/// The shading normal on the side of the true surface that the direction is on, bent towards the
+/// direction where it looks away from it: on round objects of few triangles, near their outline.
+Vec3 NormalTowards(const SurfacePoint& point, Vec3 w) {
+  constexpr float kLeastCosine = 1e-3f;
+  const bool is_outside = Dot(point.OutwardNormal(), w) >= 0;
+  const Vec3 n = is_outside ? point.n_shading : -point.n_shading;
+  const float cosine = Dot(n, w);
+  return cosine > 0 ? n : Normalize(n + w * (kLeastCosine - cosine));
 }
 
-/// Lights of a scene, as the path integrator numbers them.
-std::vector<const Light*> LightsOf(const Scene& scene, const EnvironmentLight* environment) {
-  std::vector<const Light*> lights;
-  for (const auto& light : scene.lights()) lights.push_back(light.get());
-  if (environment) lights.push_back(environment);
-  return lights;
+Ray LeavingRay(const PathVertex& vertex, Vec3 w) {
+  return SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
 }
 
-std::unique_ptr<const EnvironmentLight> EnvironmentOf(const Background& background) {
-  if (background.environment) return std::make_unique<EnvironmentLight>(*background.environment);
-  if (background.cube_map) return std::make_unique<EnvironmentLight>(*background.cube_map);
-  // Of a sky that is the same everywhere no direction is better than another: the surface's own
-  // choice is the best there is.
-  return nullptr;
-}
-
-/// Those to choose from when a light is to be sampled: the others are found by rays alone.
-std::vector<const Light*> OnlyPoints(std::vector<const Light*> lights) {
-  struct Dark final : Light {
-    LightKind Kind() const override { return LightKind::kSurface; }
-    LightSample SampleIncident(Vec3) const override { return {{}, {}, 0, 0}; }
-    LightReach Reach() const override { return {}; }
-  };
-  static const Dark kDark;
-  for (const Light*& light : lights) {
-    if (light->Kind() != LightKind::kPoint) light = &kDark;
-  }
-  return lights;
-}
-
-float SizeOf(const Scene& scene) {
-  const Bounds3 bounds = scene.Bounds();
-  const float size = bounds.IsEmpty() ? 1 : Length(bounds.Extent()) / 2;
-  return std::clamp(size, 1e-10f, 1e10f);
+/// The ray that goes on as if the surface were not there.
+Ray PassOn(const PathVertex& vertex) {
+  Ray ray = SpawnRay(vertex.point, -vertex.wo);
+  ray.mask = kReflectionRay;
+  return ray;
 }
 
 }  // namespace
-
-/// A sample on its way.
-struct PathIntegrator::Path {
-  uint32_t sample = 0;  ///< Its place in the list.
-  Sampler sampler{0, 0, 0, 0};
-  Spectrum throughput = Spectrum(1);
-  Rgb absorption{};  ///< Of the medium that it is in.
-  /// What brings `throughput`, which is about radiance, to a share of power: the square of the
-  /// refractive index.
-  float eta_squared = 1;
-  std::array<uint16_t, 3> bounces_of_kind{};
-  /// The density with which the last surface has drawn the ray, over solid angle; 0 when a sampled
-  /// light could not have done it: from the camera and from mirrors.
-  float pdf = 0;
-  Vec3 p;  ///< The point of that surface.
-};
-
-/// A surface that a path has met.
-struct PathIntegrator::Vertex {
-  SurfacePoint point;
-  Vec3 wo;
-  Bsdf bsdf;
-  const Material* material;
-
-  /// The medium beyond the surface, seen from where the path comes from.
-  Rgb AbsorptionBeyond() const {
-    return Dot(point.n_shading, bsdf.frame.z) > 0 ? material->Absorption() : Rgb();
-  }
-};
 
 /// What is known of samples that are followed together.
 struct PathIntegrator::Batch final : Workspace {
@@ -121,7 +65,7 @@ struct PathIntegrator::Batch final : Workspace {
     Spectrum value;
   };
 
-  PathQueue<Path> paths;
+  PathQueue<PathState> paths;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
   std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
@@ -130,21 +74,16 @@ struct PathIntegrator::Batch final : Workspace {
 PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& options,
                                const PathTechniques& techniques)
     : scene_(scene),
-      environment_(EnvironmentOf(scene.background())),
-      lights_(LightsOf(scene, environment_.get())),
-      picker_(techniques.next_event ? lights_ : OnlyPoints(lights_), SizeOf(scene),
-              techniques.light_choice),
+      lights_(scene, techniques),
+      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
       bounces_(options.bounces.value_or(kUnlimited)),
       bounces_of_kind_{options.diffuse_bounces.value_or(kUnlimited),
                        options.mirror_bounces.value_or(kUnlimited),
                        options.transmission_bounces.value_or(kUnlimited)},
       seed_(options.seed),
       sampler_(options.sampler),
-      techniques_(techniques) {
-  for (uint32_t i = 0; i < scene.lights().size(); ++i) {
-    if (lights_[i]->Kind() == LightKind::kSky) suns_.push_back(i);
-  }
-}
+      has_roulette_(techniques.roulette),
+      has_lift_(techniques.lift) {}
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
@@ -176,15 +115,18 @@ void PathIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* wo
 
 void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
                             std::span<Spectrum> radiance) const {
-  PathQueue<Path>& paths = batch->paths;
+  PathQueue<PathState>& paths = batch->paths;
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
+  const float angle_per_unit = scene_.camera().AnglePerUnit();
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
-    Path& path = paths.states()[i];
-    path = Path();
+    PathState& path = paths.states()[i];
+    path = PathState();
     path.sample = i;
-    path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
+      path.media = media_at_camera_;
+      path.cone.spread = request.spacing * angle_per_unit;
+      path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));
@@ -193,45 +135,63 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   batch->rays.camera += samples.size();
 
   RayOrder order = is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered;
-  for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
+  for (uint32_t step = 0; paths.size() > 0; ++step) {
     paths.FindHits(scene_, order);
-    Shade(bounce, batch, radiance);
+    Shade(step, batch, radiance);
     AddSampledLight(batch, radiance);
     order = RayOrder::kScattered;
   }
 }
 
-void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radiance) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
-  PathQueue<Path>& paths = batch->paths;
+  PathQueue<PathState>& paths = batch->paths;
   size_t left = 0;
   for (size_t i = 0; i < paths.size(); ++i) {
     const Ray& ray = paths.rays()[i];
     const HitRecord& hit = paths.hits()[i];
-    Path& path = paths.states()[i];
+    PathState& path = paths.states()[i];
     if (!hit.IsHit()) {
-      radiance[path.sample] += path.throughput * FromSky(path, ray.direction);
+      Spectrum light = lights_.FromSky(path, ray.direction);
+      light *= EndlessTransmittance(path.media.Absorption(scene_.interiors()));
+      radiance[path.sample] += path.throughput * light;
       continue;
     }
-    if (path.absorption != Rgb()) path.throughput *= Transmittance(path.absorption, hit.t);
-    Vertex vertex;
-    vertex.point = scene_.SurfaceAt(ray, hit);
-    vertex.wo = -Normalize(ray.direction);
-    if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
-      radiance[path.sample] += path.throughput * FromSurface(path, vertex.point, vertex.wo, lamp);
+    if (!path.media.IsEmpty()) {
+      path.throughput *= Transmittance(path.media.Absorption(scene_.interiors()), hit.t);
     }
-    if (bounce == bounces_) continue;
-
-    const Vec3 n = vertex.point.n_shading;
-    vertex.bsdf.frame = Frame::FromNormal(Dot(n, vertex.wo) < 0 ? -n : n);
+    PathVertex vertex;
+    vertex.point = scene_.SurfaceAt(ray, hit);
+    path.cone.Travel(hit.t);
+    vertex.point.footprint = path.cone.width;
+    vertex.wo = -Normalize(ray.direction);
+    const SceneObject& object = scene_.objects()[hit.object];
+    if (object.light != SceneObject::kNoLight) {
+      radiance[path.sample] +=
+          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light);
+    }
+    if (object.interior != SceneObject::kNoInterior &&
+        !FindMedia(object.interior, path, batch, &vertex)) {
+      path.media = vertex.media_beyond;
+      path.pdf = 0;  // Rays to sampled lights do not pass.
+      paths.states()[left] = path;
+      paths.rays()[left] = PassOn(vertex);
+      ++left;
+      continue;
+    }
     vertex.material = &scene_.material(hit);
+    const bool is_last = path.bounces == bounces_;
+    if (is_last && !vertex.material->HasHoles()) continue;
+
+    vertex.bsdf.frame = Frame::FromNormal(NormalTowards(vertex.point, vertex.wo));
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
-    if (picker_.HasLights() && vertex.bsdf.HasSmoothPart()) {
-      SampleLight(path, bounce, vertex, batch);
+    if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
+    if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
+      SampleLight(path, step, vertex, batch);
     }
     Ray next;
-    if (!Scatter(bounce, vertex, &path, &next)) continue;
+    if (!Scatter(step, vertex, &path, &next)) continue;
     paths.states()[left] = path;
     paths.rays()[left] = next;
     ++left;
@@ -240,55 +200,11 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
   batch->rays.reflection += left;
 }
 
-Spectrum PathIntegrator::FromSky(const Path& path, Vec3 direction) const {
-  Spectrum sum = scene_.background().Radiance(direction);
-  if (environment_) {
-    const auto index = static_cast<uint32_t>(lights_.size() - 1);
-    sum *= Spectrum(WeightOfFound(path, index, {}, direction));
-  }
-  for (const uint32_t sun : suns_) {
-    const Spectrum light = lights_[sun]->Emitted({}, -direction);
-    if (!light.IsBlack()) sum += light * WeightOfFound(path, sun, {}, direction);
-  }
-  // Through a medium without end comes only what it does not absorb at all.
-  const auto left = [](float absorption) { return absorption > 0 ? 0.0f : 1.0f; };
-  const Rgb a = path.absorption;
-  return a == Rgb() ? sum : sum * Spectrum(Rgb{left(a.x), left(a.y), left(a.z)});
-}
-
-Spectrum PathIntegrator::FromSurface(const Path& path, const SurfacePoint& point, Vec3 wo,
-                                     uint32_t light) const {
-  const Spectrum emitted = lights_[light]->Emitted(point, wo);
-  if (emitted.IsBlack()) return {};
-  return emitted * WeightOfFound(path, light, point, -wo);
-}
-
-/// How much of a light counts that a ray along `w` has found, where it could have been sampled too.
-float PathIntegrator::WeightOfFound(const Path& path, uint32_t light, const SurfacePoint& point,
-                                    Vec3 w) const {
-  if (path.pdf == 0 || !techniques_.next_event) return 1;
-  const float choice = picker_.Probability(path.p, light);
-  if (choice == 0) return 1;
-  return Weight(path.pdf, choice * lights_[light]->PdfIncident(path.p, point, w));
-}
-
-/// The part that falls to a technique of density `pdf` when another has `other_pdf`.
-float PathIntegrator::Weight(float pdf, float other_pdf) const {
-  if (other_pdf == 0) return 1;
-  const float ratio = other_pdf / pdf;
-  const bool is_power = techniques_.weights == PathTechniques::Weights::kPowerHeuristic;
-  return 1 / (1 + (is_power ? ratio * ratio : ratio));
-}
-
-void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex& vertex,
+void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material] = vertex;
-  const uint32_t dimension = BounceDimension(bounce);
-  const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
-  const auto [index, choice] = picker_.Choose(point.p, u);
-  const Light& light = *lights_[index];
-  const LightSample sample =
-      light.SampleIncident(point.p, path.sampler.Get2D(dimension + kLightPoint));
+  const auto& [point, wo, bsdf, material, is_lifted, media_beyond] = vertex;
+  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
+  const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
 
   const Vec3 wi = sample.direction;
@@ -296,19 +212,19 @@ void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex
   const bool is_transmission = cosine < 0;
   const BounceKind kind = KindOf(false, is_transmission);
   if (path.bounces_of_kind[kind] >= bounces_of_kind_[kind]) return;
-  if (IsOnWrongSide(point, wo, wi, is_transmission)) return;
-  const bool is_found_too = light.Kind() != LightKind::kPoint;
+  if (IsOnWrongSide(vertex, wi, is_transmission)) return;
   const BsdfValue scattered =
-      is_found_too ? EvalWithPdf(bsdf, wo, wi) : BsdfValue{Eval(bsdf, wo, wi), 0};
+      draw.is_found_too ? EvalWithPdf(bsdf, wo, wi) : BsdfValue{Eval(bsdf, wo, wi), 0};
   if (scattered.value.IsBlack()) return;
 
-  const float pdf = choice * sample.pdf;
-  const float weight = is_found_too ? Weight(pdf, scattered.pdf) : 1;
-  Spectrum arriving = sample.radiance * (std::abs(cosine) * weight / pdf);
-  const Rgb absorption = is_transmission ? vertex.AbsorptionBeyond() : path.absorption;
-  if (absorption != Rgb()) arriving *= Transmittance(absorption, sample.distance);
+  const float weight = draw.is_found_too ? lights_.Weight(draw.pdf, scattered.pdf) : 1;
+  Spectrum arriving = sample.radiance * (std::abs(cosine) * weight / draw.pdf);
+  const MediumStack& media = is_transmission ? vertex.media_beyond : path.media;
+  if (!media.IsEmpty()) {
+    arriving *= Transmittance(media.Absorption(scene_.interiors()), sample.distance);
+  }
 
-  Ray ray = SpawnRay(point, wi);
+  Ray ray = LeavingRay(vertex, wi);
   ray.t_max = sample.distance;
   ray.mask = kShadowRay;
   batch->shadow_rays.push_back(ray);
@@ -320,38 +236,79 @@ void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance)
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
+    if (batch->is_shadowed[i]) continue;
     const auto& [sample, value] = batch->contributions[i];
-    if (!batch->is_shadowed[i]) radiance[sample] += value;
+    const float left = scene_.HasHoles() ? scene_.Transparency(batch->shadow_rays[i]) : 1;
+    radiance[sample] += value * left;
   }
 }
 
-bool PathIntegrator::Scatter(uint32_t bounce, const Vertex& vertex, Path* path, Ray* ray) const {
-  const uint32_t dimension = BounceDimension(bounce);
+bool PathIntegrator::FindMedia(uint32_t interior, const PathState& path, Batch* batch,
+                               PathVertex* vertex) const {
+  const bool enters = Dot(vertex->point.OutwardNormal(), vertex->wo) >= 0;
+  const std::span<const Interior> interiors = scene_.interiors();
+  vertex->media_beyond = path.media;
+  if (enters) {
+    if (path.media.IsFull()) ++batch->rays.crowded;
+    vertex->media_beyond.Enter(interior);
+  } else {
+    vertex->media_beyond.Leave(interior);
+  }
+  if (path.media.Hides(interiors, interior, enters)) return false;
+  if (interiors[interior].is_explicit) {
+    const float inside = interiors[interior].medium.ior;
+    vertex->bsdf.index_here = enters ? path.media.Index(interiors) : inside;
+    vertex->bsdf.index_beyond = enters ? inside : vertex->media_beyond.Index(interiors);
+  }
+  return true;
+}
+
+void PathIntegrator::Lift(const HitRecord& hit, PathVertex* vertex) const {
+  if (!vertex->bsdf.IsOpaque()) return;  // What goes through starts on the true surface.
+  const bool is_inside = Dot(vertex->point.OutwardNormal(), vertex->wo) < 0;
+  const Vec3 lift = scene_.LiftOf(hit, vertex->point, is_inside);
+  if (lift == Vec3()) return;
+  vertex->point.p += lift;
+  vertex->is_lifted = true;
+}
+
+bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState* path,
+                             Ray* ray) const {
+  const uint32_t dimension = BounceDimension(step);
   const BsdfSample next =
       Sample(vertex.bsdf, vertex.wo, path->sampler.Get2D(dimension + kDirection));
   if (next.pdf == 0) return false;
+  if (next.is_hole) {
+    // No event: what is known of the last surface and its ray goes on to be true.
+    path->throughput *= next.weight;
+    *ray = PassOn(vertex);
+    return true;
+  }
+  if (path->bounces == bounces_) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
   if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
-  if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;
+  if (IsOnWrongSide(vertex, next.wi, next.is_transmission)) return false;
   path->throughput *= next.weight;
   if (path->throughput.IsBlack()) return false;
-  if (next.enters) path->absorption = vertex.AbsorptionBeyond();
+  if (next.enters) path->media = vertex.media_beyond;
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.
-  if (techniques_.roulette && bounce >= kRouletteAfter) {
+  if (has_roulette_ && path->bounces >= kRouletteAfter) {
     const float share = path->throughput.MaxComponent() * path->eta_squared;
-    const float most = bounce < kUncertainAfter ? 1 : 0.95f;
+    const float most = path->bounces < kUncertainAfter ? 1 : 0.95f;
     const float survival = std::min(most, kSurvivalOfShare * share);
     if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }
+  ++path->bounces;
   if (path->bounces_of_kind[kind] < std::numeric_limits<uint16_t>::max()) {
     ++path->bounces_of_kind[kind];
   }
   path->pdf = next.is_delta ? 0 : next.pdf;
+  if (!next.is_delta) path->cone.Scatter(next.pdf);
   path->p = vertex.point.p;
-  *ray = SpawnRay(vertex.point, next.wi);
+  *ray = LeavingRay(vertex, next.wi);
   ray->mask = kReflectionRay;
   return true;
 }

@@ -19,6 +19,9 @@ constexpr float kOffset = 0.01f;
 // A surface whose specular colour is shorter than this does not mirror.
 constexpr float kLeastMirror = 0.01f;
 
+// The course knows no holes: what has some throws the shadow of the whole.
+constexpr uint32_t kWholeShadowRay = kShadowRay | kHoleRay;
+
 Vec3 Mirrored(Vec3 d, Vec3 n) {
   return d - n * (2 * Dot(n, d));
 }
@@ -31,12 +34,12 @@ float Highlight(float cosine, float shininess) {
 
 /// A ray that leaves a point. Written in place, member by member: a ray that is made elsewhere and
 /// copied would wait for its own members to be stored.
-void StartRay(Vec3 p, Vec3 direction, RayKind kind, float t_max, Ray* ray) {
+void StartRay(Vec3 p, Vec3 direction, uint32_t mask, float t_max, Ray* ray) {
   ray->origin = p + direction * kOffset;
   ray->t_min = 0;
   ray->direction = direction;
   ray->t_max = t_max;
-  ray->mask = kind;
+  ray->mask = mask;
 }
 
 /// Where shadow rays to a light end. A hit exactly as far as the light counts. The distance is that
@@ -76,7 +79,7 @@ struct WhittedIntegrator::Batch final : Workspace {
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
     : scene_(scene), bounces_(bounces), shadows_(shadows) {
   for (const auto& light : scene.lights()) {
-    if (light->IsDelta()) delta_lights_.push_back(light.get());
+    if (!light->IsSurface()) sharp_lights_.push_back(light.get());
   }
 }
 
@@ -125,7 +128,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
     paths.FindHits(scene_, order);
     EndMisses(batch, radiance, observer);
     FindSurfaces(batch, observer);
-    for (const Light* light : delta_lights_) {
+    for (const Light* light : sharp_lights_) {
       if (shadows_) FindShadows(*light, order, batch);
       AddLight(*light, batch, observer);
     }
@@ -177,7 +180,7 @@ void WhittedIntegrator::FindShadows(const Light& light, RayOrder order, Batch* b
   for (size_t i = 0; i < count; ++i) {
     const Vec3 p = batch->shadings[i].p;
     const LightSample sample = light.SampleIncident(p);
-    StartRay(p, sample.direction, kShadowRay, ShadowLimit(sample.distance), &rays[i]);
+    StartRay(p, sample.direction, kWholeShadowRay, ShadowLimit(sample.distance), &rays[i]);
   }
   batch->rays.shadow += count;
   scene_.Occluded(order, rays, FirstOf(&batch->is_shadowed, count));

@@ -51,7 +51,7 @@ class WhittedIntegrator final : public Integrator {
                Observer* observer) const;
 
   const Scene& scene_;
-  std::vector<const Light*> delta_lights_;
+  std::vector<const Light*> sharp_lights_;
   uint32_t bounces_;
   bool shadows_;
 };

@@ -54,12 +54,12 @@ class Light {
 
   virtual LightKind Kind() const = 0;
 
-  /// Whether it illuminates from a single direction, or from few enough around one that the
-  /// integrator `whitted` may take it so. The others are the surface of an object.
-  bool IsDelta() const { return Kind() != LightKind::kSurface; }
+  /// Whether it is the surface of an object. The others illuminate from a single direction, or from
+  /// few enough around one that the integrator `whitted` may take it so.
+  bool IsSurface() const { return Kind() == LightKind::kSurface; }
 
-  /// The light that reaches `p` from where a delta light is, or its middle, as if all of it came
-  /// from there, if nothing is in the way.
+  /// The light that reaches `p` from a light that is no surface, as if all of it came from its
+  /// middle, if nothing is in the way.
   virtual LightSample SampleIncident(Vec3 p) const = 0;
 
   /// Light that reaches `p` from one of the directions from which it comes, drawn with two numbers

@@ -64,10 +64,13 @@ BsdfValue EvalWithPdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
 }
 
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
+  if (!(bsdf.pick_sum > 0)) return {};
   const Vec3 o = bsdf.frame.ToLocal(wo);
-  if (!(o.z > 0) || !(bsdf.pick_sum > 0)) return {};
   const int drawn = ChooseLobe(bsdf, &u.x);
   if (!(bsdf.lobes[drawn].pick > 0)) return {};  // By rounding only.
+  const LobeKind kind = bsdf.lobes[drawn].kind;
+  // A bent normal may look away; holes do not ask for it.
+  if (!(o.z > 0) && kind != LobeKind::kHole) return {};
   LobeSample sample = SampleLobe(bsdf.lobes[drawn], o, u);
   if (sample.pdf == 0) return {};
   sample.weight *= Spectrum(bsdf.lobes[drawn].share);
@@ -79,13 +82,13 @@ BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
     AddOthers(bsdf, o, drawn, &sample);
   }
   const bool is_transmission = sample.wi.z < 0;
-  const LobeKind kind = bsdf.lobes[drawn].kind;
   return {bsdf.frame.ToWorld(sample.wi),
           sample.weight,
           sample.pdf,
           sample.is_delta,
           is_transmission,
           is_transmission && kind != LobeKind::kHole && kind != LobeKind::kPane,
+          kind == LobeKind::kHole,
           sample.eta};
 }
 

@@ -14,6 +14,9 @@ struct Bsdf {
   static constexpr int kMostLobes = 4;
 
   Frame frame;  ///< Its z axis is the shading normal on the side of the ray that hit.
+  /// The refractive indices on that side and beyond, where a scene says what fills objects; else 0:
+  /// then the material knows its own, which it has against air.
+  float index_here = 0, index_beyond = 0;
   int count = 0;
   float pick_sum = 0;
   Lobe lobes[kMostLobes];
@@ -38,6 +41,14 @@ struct Bsdf {
     pick_sum += (picks > 0 ? mixed_share : 0) - picks;
   }
 
+  /// Whether no light goes through to the other side.
+  bool IsOpaque() const {
+    for (int i = 0; i < count; ++i) {
+      if (candela::LetsThrough(lobes[i].kind)) return false;
+    }
+    return true;
+  }
+
   /// Whether light goes into more than single directions: whether `Eval` and `Pdf` can be above 0.
   bool HasSmoothPart() const {
     for (int i = 0; i < count; ++i) {
@@ -57,6 +68,7 @@ struct BsdfSample {
   bool is_delta = false;
   bool is_transmission = false;  ///< `wi` and `wo` lie on different sides of the surface.
   bool enters = false;           ///< And it gets into another body: not by a hole or a pane.
+  bool is_hole = false;          ///< Nothing is there: `wi` is -`wo`, and the surface no event.
   /// The refractive index on the side of `wi` over that on the side of `wo`. Radiance is carried,
   /// so light that gets into glass is weaker by its square and recovers when it leaves again:
   /// `weight` times the square is the share of the power, which Russian roulette should look at.

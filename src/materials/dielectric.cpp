@@ -5,7 +5,6 @@
 
 #include "materials/dielectric_lobe.h"
 #include "materials/pane.h"
-#include "materials/refractive_index.h"
 
 namespace candela {
 namespace {
@@ -23,35 +22,55 @@ EnergyTable EnergyOf(float eta, const Roughness& roughness) {
 
 std::unique_ptr<Material> DielectricMaterial::Create(ParamReader* params,
                                                      const MaterialContext& context) {
-  const float ior = ReadRefractiveIndex(params, "ior", 1.5f);
-  const Rgb absorption = params->NonNegativeColor("absorption", {0, 0, 0});
+  const Medium medium = Medium::Create(params, 1.5f);
   if (params->Flag("thin", false)) {
-    return std::make_unique<PaneMaterial>(ior, absorption * params->NonNegative("thickness", 0));
+    const Rgb depth = medium.absorption * params->NonNegative("thickness", 0);
+    return std::make_unique<PaneMaterial>(medium.ior, depth);
   }
-  return std::make_unique<DielectricMaterial>(ior, Roughness::Create(params, context), absorption);
+  return std::make_unique<DielectricMaterial>(medium, Roughness::Create(params, context),
+                                              context.indices);
 }
 
-DielectricMaterial::DielectricMaterial(float ior, Roughness roughness, Rgb absorption)
-    : ior_(ior), roughness_(std::move(roughness)), absorption_(absorption) {
-  if (roughness_.IsNowhere() || std::abs(ior - 1) < kLeastContrast) return;
-  outside_ = EnergyOf(ior, roughness_);
-  inside_ = EnergyOf(1 / ior, roughness_);
+DielectricMaterial::DielectricMaterial(const Medium& medium, Roughness roughness,
+                                       std::span<const float> indices)
+    : medium_(medium), roughness_(std::move(roughness)) {
+  if (roughness_.IsNowhere()) return;
+  AddTables(1, medium.ior);
+  for (size_t i = 0; i < indices.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) AddTables(indices[i], indices[j]);
+  }
+}
+
+void DielectricMaterial::AddTables(float index_a, float index_b) {
+  const float eta = index_b / index_a;
+  if (std::abs(eta - 1) < kLeastContrast) return;
+  tables_.push_back({index_a, index_b, EnergyOf(eta, roughness_), EnergyOf(1 / eta, roughness_)});
 }
 
 PhongTerms DielectricMaterial::Phong(const SurfacePoint& point) const {
-  return PhongTermsOfGlass(ior_, roughness_.AlphaAt(point));
+  return PhongTermsOfGlass(medium_.ior, roughness_.AlphaAt(point));
 }
 
 void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
-  const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+  float here = bsdf->index_here, beyond = bsdf->index_beyond;
+  if (here == 0) {
+    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+    here = is_outside ? 1 : medium_.ior;
+    beyond = is_outside ? medium_.ior : 1;
+  }
   const float alpha = roughness_.AlphaAt(point);
-  const bool is_rough = outside_ && alpha >= kSmoothestAlpha;
-  Lobe lobe{is_rough ? LobeKind::kDielectric : LobeKind::kSmoothDielectric, 1, Spectrum(1)};
-  lobe.dielectric = {is_outside ? ior_ : 1 / ior_, {alpha, alpha}, nullptr, nullptr, 0};
-  if (is_rough) {
-    lobe.dielectric.energy_here = is_outside ? &*outside_ : &*inside_;
-    lobe.dielectric.energy_beyond = is_outside ? &*inside_ : &*outside_;
-    lobe.dielectric.table_row = roughness_.TableRow(alpha);
+  Lobe lobe{LobeKind::kSmoothDielectric, 1, Spectrum(1)};
+  lobe.dielectric = {beyond / here, {alpha, alpha}, nullptr, nullptr, 0};
+  if (alpha >= kSmoothestAlpha) {
+    for (const Tables& tables : tables_) {
+      const bool is_from_a = tables.index_a == here && tables.index_b == beyond;
+      if (!is_from_a && !(tables.index_b == here && tables.index_a == beyond)) continue;
+      lobe.kind = LobeKind::kDielectric;
+      lobe.dielectric.energy_here = is_from_a ? &tables.from_a : &tables.from_b;
+      lobe.dielectric.energy_beyond = is_from_a ? &tables.from_b : &tables.from_a;
+      lobe.dielectric.table_row = roughness_.TableRow(alpha);
+      break;
+    }
   }
   bsdf->Add(lobe);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
+#include <span>
+#include <vector>
 
 #include "materials/material.h"
 #include "materials/material_context.h"
+#include "materials/medium.h"
 #include "materials/roughness.h"
 #include "scene_spec/param_reader.h"
 
@@ -14,20 +16,29 @@ namespace candela {
 /// normal points away from.
 class DielectricMaterial final : public Material {
  public:
-  DielectricMaterial(float ior, Roughness roughness, Rgb absorption);
+  /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
+  DielectricMaterial(const Medium& medium, Roughness roughness,
+                     std::span<const float> indices = {});
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  Rgb Absorption() const override { return absorption_; }
+  const Medium* Body() const override { return &medium_; }
   bool NeedsTextureCoordinates() const override { return roughness_.NeedsTextureCoordinates(); }
   bool IsPhysical() const override { return true; }
 
  private:
-  float ior_;
+  /// Of a rough boundary, for light that comes from the one side and from the other.
+  struct Tables {
+    float index_a, index_b;
+    EnergyTable from_a, from_b;
+  };
+
+  void AddTables(float index_a, float index_b);
+
+  Medium medium_;
   Roughness roughness_;
-  Rgb absorption_;
-  std::optional<EnergyTable> outside_, inside_;  ///< Of a rough one.
+  std::vector<Tables> tables_;  ///< Of a rough one, for the media that may meet at it.
 };
 
 }  // namespace candela

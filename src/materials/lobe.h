@@ -95,6 +95,12 @@ constexpr bool IsDelta(LobeKind kind) {
          kind == LobeKind::kSmoothDielectric || kind == LobeKind::kPane || kind == LobeKind::kHole;
 }
 
+/// True for lobes that send light to the other side as well.
+constexpr bool LetsThrough(LobeKind kind) {
+  return kind == LobeKind::kSmoothDielectric || kind == LobeKind::kDielectric ||
+         kind == LobeKind::kPane || kind == LobeKind::kHole;
+}
+
 /// A direction drawn from a lobe; see `BsdfSample`, whose terms it has.
 struct LobeSample {
   Vec3 wi;

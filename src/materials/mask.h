@@ -20,7 +20,13 @@ class MaskMaterial final : public Material {
   /// `whitted` sees no holes.
   PhongTerms Phong(const SurfacePoint& point) const override { return material_.Phong(point); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  Rgb Absorption() const override { return material_.Absorption(); }
+  const Medium* Body() const override { return material_.Body(); }
+  float Transparency(const SurfacePoint& point) const override {
+    return 1 - opacity_.At(point) * (1 - material_.Transparency(point));
+  }
+  bool HasHoles() const override {
+    return opacity_.IsTextured() || opacity_.value() < 1 || material_.HasHoles();
+  }
   int MostLobes() const override { return material_.MostLobes() + 1; }
   bool NeedsTextureCoordinates() const override {
     return opacity_.NeedsTextureCoordinates() || material_.NeedsTextureCoordinates();

@@ -4,6 +4,7 @@
 
 #include "geometry/surface_point.h"
 #include "materials/bsdf.h"
+#include "materials/medium.h"
 #include "math/spectrum.h"
 
 namespace candela {
@@ -35,9 +36,15 @@ class Material {
   /// For light transport: adds the lobes at `point` to a Bsdf whose frame is set.
   virtual void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const = 0;
 
-  /// What a body of it takes of the light on its way inside, per unit of length: of radiance the
-  /// part exp(-absorption * length) is left.
-  virtual Rgb Absorption() const { return {}; }
+  /// What a body of it is filled with, unless a scene says otherwise; null when no light gets in.
+  virtual const Medium* Body() const { return nullptr; }
+
+  /// The share of the surface at a point where nothing is, and light goes on as it came: that of
+  /// the lobes of the kind `kHole`.
+  virtual float Transparency(const SurfacePoint& /*point*/) const { return 0; }
+
+  /// Whether that can be above 0.
+  virtual bool HasHoles() const { return false; }
 
   /// How many lobes `Evaluate` adds at most.
   virtual int MostLobes() const { return 1; }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string_view>
+#include <vector>
 
 #include "textures/texture_context.h"
 
@@ -14,6 +15,10 @@ struct MaterialContext : TextureContext {
   /// The material of a name, of those that stand above in the scene and outlive the one that asks;
   /// null when there is none, or when it could not be made, which has been reported.
   std::function<const Material*(std::string_view name, const SourceLocation& where)> find_material;
+
+  /// The refractive indices between any two of which a surface may lie, where the scene says what
+  /// fills objects; else none.
+  std::vector<float> indices;
 };
 
 }  // namespace candela

@@ -19,11 +19,17 @@ class MixMaterial final : public Material {
 
   PhongTerms Phong(const SurfacePoint& point) const override;
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  /// Of the part that absorbs anything; the first, where both do.
-  Rgb Absorption() const override {
-    const Rgb first = first_.Absorption();
-    return first != Rgb() ? first : second_.Absorption();
+  /// Of the part that lets light in; the first, where both do, unless only the second absorbs any.
+  const Medium* Body() const override {
+    const Medium *first = first_.Body(), *second = second_.Body();
+    if (!first || (second && first->absorption == Rgb())) return second ? second : first;
+    return first;
   }
+  float Transparency(const SurfacePoint& point) const override {
+    const float t = amount_.At(point);
+    return first_.Transparency(point) * (1 - t) + second_.Transparency(point) * t;
+  }
+  bool HasHoles() const override { return first_.HasHoles() || second_.HasHoles(); }
   int MostLobes() const override { return first_.MostLobes() + second_.MostLobes(); }
   bool NeedsTextureCoordinates() const override;
   bool IsPhysical() const override { return first_.IsPhysical() && second_.IsPhysical(); }

@@ -4,7 +4,7 @@
 
 #include "materials/dielectric_lobe.h"
 #include "materials/fresnel.h"
-#include "materials/refractive_index.h"
+#include "materials/medium.h"
 
 namespace candela {
 

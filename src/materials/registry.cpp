@@ -1,11 +1,14 @@
 #include "materials/registry.h"
 
+#include <utility>
+
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
 #include "materials/diffuse.h"
 #include "materials/mask.h"
 #include "materials/mirror.h"
 #include "materials/mix.h"
+#include "materials/one_sided.h"
 #include "materials/phong.h"
 #include "materials/plastic.h"
 #include "materials/relief.h"
@@ -39,7 +42,8 @@ std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, const MaterialCo
   ParamReader params(spec.params, entry->name, spec.where, context.diagnostics);
   // The loader has taken these; a parameter that was meant as one of them is told so.
   for (const std::string_view name : {"type", "name"}) params.Has(name);
-  auto material = ReliefMaterial::Applied(entry->create(&params, context), &params, context);
+  auto material = OneSidedMaterial::Applied(entry->create(&params, context), &params);
+  material = ReliefMaterial::Applied(std::move(material), &params, context);
   params.Finish();
   return material;
 }

@@ -26,7 +26,11 @@ class ReliefMaterial final : public Material {
 
   PhongTerms Phong(const SurfacePoint& point) const override { return material_->Phong(point); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
-  Rgb Absorption() const override { return material_->Absorption(); }
+  const Medium* Body() const override { return material_->Body(); }
+  float Transparency(const SurfacePoint& point) const override {
+    return material_->Transparency(point);
+  }
+  bool HasHoles() const override { return material_->HasHoles(); }
   int MostLobes() const override { return material_->MostLobes(); }
   bool BendsNormals() const override { return true; }
   bool NeedsTextureCoordinates() const override { return true; }

@@ -38,7 +38,8 @@ FilterSample SamplePlacer::PositionInPixel(int x, int y, uint32_t index) const {
 }
 
 SampleRequest SamplePlacer::Centre(int x, int y) const {
-  return {static_cast<uint32_t>(x), static_cast<uint32_t>(y), 0, plane_.PointOf(x, y, {})};
+  return {static_cast<uint32_t>(x), static_cast<uint32_t>(y), 0, plane_.PointOf(x, y, {}),
+          plane_.Spacing()};
 }
 
 }  // namespace candela

@@ -24,7 +24,7 @@ class SamplePlacer {
     const FilterSample position =
         pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, y, index);
     return {{static_cast<uint32_t>(x), static_cast<uint32_t>(y), index,
-             plane_.PointOf(x, y, position.offset)},
+             plane_.PointOf(x, y, position.offset), plane_.Spacing()},
             position.weight};
   }
 

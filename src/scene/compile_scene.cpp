@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "lights/registry.h"
 #include "materials/registry.h"
+#include "scene/compile_interiors.h"
 #include "shapes/registry.h"
 #include "textures/registry.h"
 
@@ -34,11 +35,14 @@ class SceneCompiler {
                            }},
                           [this](std::string_view name, const SourceLocation& where) {
                             return PartNamed(name, where);
-                          }} {}
+                          },
+                          {}} {}
 
   std::unique_ptr<Scene> Compile() {
     CompileBackground();
     CompileTextures();
+    node_interiors_ = CompileInteriors(spec_, &diagnostics_);
+    material_context_.indices = node_interiors_.indices;
     CompileMaterials();
     CompileNodes();
     if (diagnostics_.HasErrors()) return nullptr;
@@ -133,7 +137,7 @@ class SceneCompiler {
       return SceneObject::kNoLight;
     }
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
-    const bool is_surface = !light->IsDelta();
+    const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
     scene_->lights_.push_back(std::move(light));
     return is_surface ? index : SceneObject::kNoLight;
@@ -165,8 +169,31 @@ class SceneCompiler {
                                 Transform(*object_from_world), *material, light, false, spec.type,
                                 fmt::format("{} of line {}", spec.type, spec.where.line)});
     const auto& made_of = scene_->materials_[*material];
-    scene_->objects_.back().is_textured = made_of && made_of->NeedsTextureCoordinates();
+    SceneObject& object = scene_->objects_.back();
+    object.is_textured = made_of && made_of->NeedsTextureCoordinates();
+    object.has_holes = made_of && made_of->HasHoles();
+    scene_->has_holes_ |= object.has_holes;
+    object.interior = InteriorOf(node, made_of.get());
     places_.push_back({world_from_node, where});
+  }
+
+  /// The index of what fills the node's object.
+  uint32_t InteriorOf(const NodeSpec& node, const Material* material) {
+    if (!material) return SceneObject::kNoInterior;
+    const Medium* body = material->Body();
+    if (!body) {
+      if (node.interior) {
+        diagnostics_.Warning(node.interior->where,
+                             "nothing gets into the object: its material lets no light in");
+      }
+      return SceneObject::kNoInterior;
+    }
+    const auto index = static_cast<size_t>(&node - spec_.nodes.data());
+    const Interior interior = node_interiors_.of_node[index].value_or(Interior{*body});
+    const auto next = static_cast<uint32_t>(scene_->interiors_.size());
+    const auto [place, is_new] = interior_by_key_.try_emplace(interior.Key(), next);
+    if (is_new) scene_->interiors_.push_back(interior);
+    return place->second;
   }
 
   /// The index of the node's material; nothing when there is no such material, which is reported.
@@ -307,6 +334,8 @@ class SceneCompiler {
   std::map<std::string_view, std::shared_ptr<const Texture>> texture_by_name_;
   std::map<std::string_view, uint32_t> material_by_name_;
   std::optional<uint32_t> default_material_;
+  CompiledInteriors node_interiors_;
+  std::map<decltype(Interior().Key()), uint32_t> interior_by_key_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
   std::map<uint32_t, Light*> surface_lights_;  ///< By their index, while they can be changed.
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include <cmath>
 #include <set>
 
 namespace candela {
@@ -43,6 +44,25 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
     world.dpdv = object.world_from_object.Vector(local.dpdv);
   }
   return world;
+}
+
+Vec3 Scene::LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const {
+  const SceneObject& object = objects_[hit.object];
+  const Vec3 local = object.object_from_world.Point(point.p);
+  return object.world_from_object.Vector(object.shape->LiftOf(hit, local, is_inside));
+}
+
+float Scene::Transparency(Ray ray) const {
+  ray.mask = kHoleRay;
+  float left = 1;
+  while (left > 0) {
+    HitRecord hit;
+    hit.t = ray.t_max;
+    if (!Intersect(ray, &hit)) break;
+    left *= material(hit).Transparency(SurfaceAt(ray, hit));
+    ray.t_min = std::nextafter(hit.t, ray.t_max);
+  }
+  return left;
 }
 
 Bounds3 Scene::Bounds() const {

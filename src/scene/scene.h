@@ -14,6 +14,7 @@
 #include "lights/light.h"
 #include "materials/material.h"
 #include "scene/background.h"
+#include "scene/interior.h"
 #include "scene/scene_object.h"
 #include "scene/scene_tree.h"
 #include "textures/texture.h"
@@ -40,9 +41,22 @@ class Scene {
     tree_.group->Occluded(order, rays, occluded);
   }
 
+  /// Whether surfaces of some objects have holes. Rays of the kind `kShadowRay` pass those objects.
+  bool HasHoles() const { return has_holes_; }
+
+  /// What all objects leave of the light in `ray.t_min <= t < ray.t_max`: the product of the shares
+  /// of their surfaces where nothing is, which is 0 when one has no holes. One hit after the other:
+  /// to be asked where `Occluded` has found nothing.
+  float Transparency(Ray ray) const;
+
   /// The hit point in world space, with unit normals; with texture coordinates where the material
   /// asks for them.
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
+
+  /// From the point of a hit to the round surface that the shading normals of its mesh pretend, on
+  /// the inside or on the outside; 0 where it does not bulge there. Rays that start from it are not
+  /// stopped by the flat triangles around.
+  Vec3 LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const;
 
   /// The hit as the course sees it, at a third of the cost: the point o + t d, the shading normal,
   /// and texture coordinates for materials that ask for them. The geometric normal and the error
@@ -58,6 +72,8 @@ class Scene {
     return *materials_[objects_[hit.object].material];
   }
   const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
+  /// What objects are filled with: different ones, each for any number of objects.
+  const std::vector<Interior>& interiors() const { return interiors_; }
 
   /// The box around all bounded objects.
   Bounds3 Bounds() const;
@@ -78,7 +94,9 @@ class Scene {
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<std::shared_ptr<const Texture>> textures_;
+  std::vector<Interior> interiors_;
   SceneTree tree_;
+  bool has_holes_ = false;
 };
 
 }  // namespace candela

@@ -13,17 +13,20 @@ namespace candela {
 /// A shape with its place in the world and what it is made of.
 struct SceneObject {
   static constexpr uint32_t kNoLight = 0xFFFFFFFF;
+  static constexpr uint32_t kNoInterior = 0xFFFFFFFF;
 
   std::shared_ptr<const Shape> shape;  ///< Objects of the same mesh share it.
   /// The identity for triangles that are baked: they lie in the world, for nobody else.
   Transform world_from_object, object_from_world;
   uint32_t material = 0;
-  uint32_t light = kNoLight;  ///< The area light whose surface this is.
-  bool is_instance = false;   ///< Its triangles have a tree of their own, which it shares.
-  std::string type;           ///< As in the registry of shapes.
-  std::string description;    ///< For people: type and line in the scene file.
-  bool is_textured = false;   ///< The material asks for texture coordinates.
-  bool is_baked = false;      ///< It consists of triangles that lie in the world.
+  uint32_t light = kNoLight;        ///< The area light whose surface this is.
+  bool is_instance = false;         ///< Its triangles have a tree of their own, which it shares.
+  std::string type;                 ///< As in the registry of shapes.
+  std::string description;          ///< For people: type and line in the scene file.
+  bool is_textured = false;         ///< The material asks for texture coordinates.
+  uint32_t interior = kNoInterior;  ///< What light gets into, in the scene's list.
+  bool has_holes = false;           ///< The material lets light through as if nothing were there.
+  bool is_baked = false;            ///< It consists of triangles that lie in the world.
 
   /// The ray as the shape gets it for `Intersect` and `SurfaceAt`. Where it ends says the record of
   /// the hit, and whom it sees has been decided; leaving that out saves copies that would have to

@@ -27,6 +27,7 @@ class SceneTreeBuilder {
         if (!group) return group.error();
         input[i].content = InstanceInput{*std::move(group), {world_from_object_[i]}};
       }
+      if (objects_[i].has_holes) input[i].mask = kAnyRay & ~uint32_t{kShadowRay};
     }
     auto group = Group::Build(std::move(input), {});
     if (!group) return group.error();

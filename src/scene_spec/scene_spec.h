@@ -47,6 +47,20 @@ struct TextureSpec {
   SourceLocation name_where;
 };
 
+/// A medium with the name that interiors use for it.
+struct MediumSpec {
+  ParamSet params;
+  SourceLocation where;
+  std::string name;
+  SourceLocation name_where;
+};
+
+/// What fills the object of a node.
+struct InteriorSpec {
+  ParamSet params;
+  SourceLocation where;
+};
+
 /// A material with the name that nodes may use for it.
 struct MaterialSpec {
   TypedSpec material;
@@ -71,6 +85,7 @@ struct NodeSpec {
   std::optional<TypedSpec> object;
   std::optional<TypedSpec> light;
   std::optional<MaterialReference> material;
+  std::optional<InteriorSpec> interior;
 };
 
 /// A scene as its file describes it: plain, editable data without meaning beyond its grammar.
@@ -88,6 +103,9 @@ struct SceneSpec {
   /// True when some could not be read, which was reported: a reference to one that is missing is
   /// then no mistake of its own.
   bool materials_are_damaged = false;
+  std::vector<MediumSpec> media;
+  /// As `materials_are_damaged`.
+  bool media_are_damaged = false;
   /// The hierarchy in the order of the file: each node after its parent. The first is the root.
   std::vector<NodeSpec> nodes;
   /// The meshes by their paths as written; null when one could not be read, which was reported.

@@ -94,6 +94,24 @@ SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
           face_normal, blended == Vec3() ? face_normal : blended};
 }
 
+// Hanika, "Hacking the Shadow Terminator" (in "Ray Tracing Gems II", 2021): the mean of the point
+// as it lies in the tangential planes of the corners. Only where it lies below all of them:
+// elsewhere the normals lean without that the surface were round.
+Vec3 Mesh::LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const {
+  const auto& corners = spec_->triangles[hit.primitive];
+  const float weights[] = {1 - hit.u - hit.v, hit.u, hit.v};
+  const float side = is_inside ? -1.0f : 1.0f;
+  Vec3 lift{};
+  for (size_t k = 0; k < 3; ++k) {
+    if (!HasNormal(hit.primitive, k)) return {};
+    const Vec3 n = Normalize(normals_[normal_corners_[hit.primitive][k]]) * side;
+    const float height = Dot(p - positions_[corners[k]], n);
+    if (!(height <= 0)) return {};
+    lift += n * (-height * weights[k]);
+  }
+  return lift;
+}
+
 std::optional<TriangleInput> Mesh::Triangles() const {
   return TriangleInput{positions_, spec_->triangles};
 }

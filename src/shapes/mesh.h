@@ -27,6 +27,7 @@ class Mesh final : public Shape {
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
   void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const override;
+  Vec3 LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const override;
   std::optional<TriangleInput> Triangles() const override;
   std::unique_ptr<const SurfaceSampler> MakeSampler(
       const Transform& world_from_object, const Transform& object_from_world) const override;

@@ -24,7 +24,7 @@ using test::UniformNumbers;
 std::vector<LightEntry> Rows(bool are_delta) {
   std::vector<LightEntry> rows;
   for (const LightEntry& entry : LightEntries()) {
-    if (SceneOfLight(entry.example)->lights()[0]->IsDelta() == are_delta) rows.push_back(entry);
+    if (SceneOfLight(entry.example)->lights()[0]->IsSurface() != are_delta) rows.push_back(entry);
   }
   return rows;
 }

@@ -106,6 +106,18 @@ void AddFlatLamps(Writer* writer) {
   writer->Add(" }}\n");
 }
 
+/// Bodies that overlap, in glass that is clear or ground.
+void AddDrink(Writer* writer) {
+  const char* media[] = {"glass", "tea", "water"};
+  for (int i = 0; i < 3; ++i) {
+    writer->Add("Node {{ Transform {{ ");
+    writer->AddVector("translate", -0.4, 0.4);
+    writer->Add("}} Component<Object> {{ type sphere radius {:.3f} }} ", writer->Number(0.5, 1));
+    writer->Add("Component<Material> {{ index 5 }} ");
+    writer->Add("Component<Interior> {{ medium {} priority {} }} }}\n", media[i], writer->Below(4));
+  }
+}
+
 void AddDirectionalLight(Writer* writer, const char* angle = "") {
   writer->Add("Node {{ Component<Light> {{ type directional ");
   writer->Add("direction {:.3f} -1 -0.7 ", writer->Number(-0.8, 0.8));
@@ -151,9 +163,16 @@ std::string RandomDiffuseScene(uint32_t seed) {
     writer.Add("Background {{ color 0.3 0.3 0.4 ambient_light 0 0 0 }}\n");
   }
   AddCamera(&writer, seed % 2 == 1 ? "aperture 0.3 focus_distance 9 blades 5" : "");
-  constexpr uint32_t kMaterials = 6;
+  constexpr uint32_t kMaterials = 11;
+  writer.Add(
+      "Textures {{ Texture {{ name board type checker even 0.2 0.7 0.9 odd 0.8 0.3 0.1 scale 5 5 "
+      "rotation {} }}\n",
+      seed * 7);
+  writer.Add(
+      "Texture {{ name tower type image file assets/cubemap/sky/front.png scale 2 3 }} }}\n"
+      "Media {{ Medium {{ name tea ior 1.3 absorption 0.3 0.6 1 }} }}\n");
   writer.Add("Materials {{\n");
-  for (uint32_t i = 0; i < kMaterials / 2; ++i) {
+  for (uint32_t i = 0; i < 3; ++i) {
     writer.Add("Material {{ type diffuse ");
     writer.AddVector("albedo", 0.1, 0.9);
     writer.Add("}}\n");
@@ -161,9 +180,17 @@ std::string RandomDiffuseScene(uint32_t seed) {
   writer.Add(
       "Material {{ type mirror }}\nMaterial {{ type conductor metal gold roughness 0.3 }}\n");
   writer.Add("Material {{ type dielectric ior 1.5 roughness {} }}\n", seed % 4 == 0 ? 0 : 0.4);
+  writer.Add(
+      "Material {{ name picture type diffuse albedo texture tower }}\n"
+      "Material {{ name toy type plastic albedo texture board roughness 0.3 }}\n"
+      "Material {{ name rusty type mix first picture second toy amount texture board }}\n"
+      "Material {{ name net type mask material toy opacity texture board }}\n"
+      "Material {{ name veil type mask material picture opacity 0.4 two_sided {} }}\n",
+      seed % 2 == 0 ? "true" : "false");
   writer.Add("}}\nScene {{\n");
   AddFloor(&writer);
-  for (int i = 0; i < 4; ++i) AddNodes(&writer, kMaterials);
+  for (int i = 0; i < 6; ++i) AddNodes(&writer, kMaterials);
+  AddDrink(&writer);
   AddDirectionalLight(&writer, seed % 2 == 0 ? "angle 3" : "");
   AddFlatLamps(&writer);
   writer.Add(

@@ -82,7 +82,7 @@ TEST(DirectionalLight, NodesDoNotTurnIt) {
 
 TEST(AreaLight, ShinesWithTheSameRadianceInAllDirections) {
   const AreaLight light(Spectrum(Rgb{5, 4, 3}), true);
-  EXPECT_FALSE(light.IsDelta());
+  EXPECT_TRUE(light.IsSurface());
   EXPECT_EQ(light.Emitted({}, {0, 0, 1}).ToRgb(), (Rgb{5, 4, 3}));
   EXPECT_EQ(light.Emitted({}, {0, 0.6f, -0.8f}).ToRgb(), (Rgb{5, 4, 3}));
 }
@@ -155,7 +155,7 @@ TEST_P(SoftSun, StandsForItsMiddleWhereOneDirectionIsAskedFor) {
   const LightSample sample = sun_.SampleIncident({1, 2, 3});
   EXPECT_LT(Length(sample.direction - to_sun_), 1e-6f);
   EXPECT_EQ(sample.radiance.ToRgb(), (Rgb{2, 1, 0.5f}));
-  EXPECT_TRUE(sun_.IsDelta());
+  EXPECT_FALSE(sun_.IsSurface());
 }
 
 TEST(DirectionalLight, WithoutAnAngleCannotBeMet) {

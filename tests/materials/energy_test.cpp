@@ -51,7 +51,7 @@ ConductorMaterial BrushedWhiteMetal(Ggx surface, float rotation_degrees = 0) {
 }
 
 DielectricMaterial Glass(float ior, float alpha) {
-  return {ior, Roughness::OfAlpha(alpha), {}};
+  return {{ior, {}}, Roughness::OfAlpha(alpha)};
 }
 
 // P4

@@ -145,7 +145,7 @@ TEST(Dielectric, CarriesRadianceIntoGlass) {
   Bsdf bsdf;
   SurfacePoint point;
   point.n_shading = {0, 0, 1};
-  DielectricMaterial(1.5f, Roughness(), {}).Evaluate(point, &bsdf);
+  DielectricMaterial({1.5f, {}}, Roughness()).Evaluate(point, &bsdf);
   const BsdfSample sample = Sample(bsdf, {0, 0, 1}, {0.5f, 0.5f});
   EXPECT_TRUE(sample.is_delta);
   EXPECT_TRUE(sample.is_transmission);

@@ -5,11 +5,16 @@
 namespace candela {
 
 /// The words that open blocks, by the place where they may stand.
-inline constexpr std::string_view kSectionWords[] = {"Background", "Camera", "Materials", "Scene",
-                                                     "Textures"};
+inline constexpr std::string_view kSectionWords[] = {"Background", "Camera", "Materials",
+                                                     "Media",      "Scene",  "Textures"};
 inline constexpr std::string_view kMaterialsWords[] = {"Material"};
+inline constexpr std::string_view kMediaWords[] = {"Medium"};
 inline constexpr std::string_view kTexturesWords[] = {"Texture"};
-inline constexpr std::string_view kNodeWords[] = {"Node", "Transform", "Component<Material>",
-                                                  "Component<Light>", "Component<Object>"};
+inline constexpr std::string_view kNodeWords[] = {"Node",
+                                                  "Transform",
+                                                  "Component<Interior>",
+                                                  "Component<Material>",
+                                                  "Component<Light>",
+                                                  "Component<Object>"};
 
 }  // namespace candela

@@ -43,6 +43,10 @@ void NodeParser::ParseItem(const Token& word, NodeSpec* node) {
     ParseTransform(word, node);
   } else if (word.text == "Component<Material>") {
     ParseMaterial(word, node);
+  } else if (word.text == "Component<Interior>") {
+    WarnIfReplaced(node->interior.has_value(), word);
+    const SourceLocation where = tokens_.Where(word);
+    node->interior = InteriorSpec{blocks_.ReadParams(word), where};
   } else if (word.text == "Component<Light>") {
     WarnIfReplaced(node->light.has_value(), word);
     node->light = ParseTyped(word);

@@ -42,8 +42,10 @@ class Parser {
     // Materials that nobody can find may be what was not understood.
     if (!have_materials_ && diagnostics_.HasErrors()) scene_.materials_are_damaged = true;
     if (!have_textures_ && diagnostics_.HasErrors()) scene_.textures_are_damaged = true;
+    if (!have_media_ && diagnostics_.HasErrors()) scene_.media_are_damaged = true;
     CheckNames(scene_.materials, "material");
     CheckNames(scene_.textures, "texture");
+    CheckNames(scene_.media, "medium");
     ReadCamera();
     ReadBackground();
     if (scene_.nodes.empty() && !blocks_.HasLostSections()) {
@@ -67,6 +69,10 @@ class Parser {
       WarnIfRepeated(have_materials_, word);
       have_materials_ = true;
       ParseMaterials(word);
+    } else if (word.text == "Media") {
+      WarnIfRepeated(have_media_, word);
+      have_media_ = true;
+      ParseMedia(word);
     } else if (word.text == "Textures") {
       WarnIfRepeated(have_textures_, word);
       have_textures_ = true;
@@ -133,6 +139,24 @@ class Parser {
     }
     texture.texture = TakeType(std::move(params), where, word.text, "", &diagnostics_);
     scene_.textures.push_back(std::move(texture));
+  }
+
+  void ParseMedia(const Token& opener) {
+    scene_.media.clear();
+    const size_t errors_before = diagnostics_.ErrorCount();
+    blocks_.OpenBlock(opener);
+    for (Token word = blocks_.NextItem(&opener, kMediaWords); word.IsWord();
+         word = blocks_.NextItem(&opener, kMediaWords)) {
+      MediumSpec medium;
+      medium.where = tokens_.Where(word);
+      medium.params = blocks_.ReadParams(word);
+      TakeName(medium.where, word, &medium.params, &medium);
+      if (medium.name.empty() && !medium.params.is_damaged) {
+        diagnostics_.Error(medium.where, "'Medium' needs 'name'");
+      }
+      scene_.media.push_back(std::move(medium));
+    }
+    scene_.media_are_damaged = diagnostics_.ErrorCount() > errors_before;
   }
 
   ParamSet ReadNamedBlock(const Token& word) {
@@ -241,7 +265,7 @@ class Parser {
   Diagnostics& diagnostics_;
   SceneSpec scene_;
   Section camera_, background_;
-  bool have_materials_ = false, have_textures_ = false;
+  bool have_materials_ = false, have_textures_ = false, have_media_ = false;
 };
 
 }  // namespace

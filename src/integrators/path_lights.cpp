@@ -1,0 +1,102 @@
+#include "integrators/path_lights.h"
+
+#include <algorithm>
+
+namespace candela {
+namespace {
+
+/// Lights of a scene, as the path integrator numbers them.
+std::vector<const Light*> LightsOf(const Scene& scene, const EnvironmentLight* environment) {
+  std::vector<const Light*> lights;
+  for (const auto& light : scene.lights()) lights.push_back(light.get());
+  if (environment) lights.push_back(environment);
+  return lights;
+}
+
+std::unique_ptr<const EnvironmentLight> EnvironmentOf(const Background& background) {
+  if (background.environment) return std::make_unique<EnvironmentLight>(*background.environment);
+  if (background.cube_map) return std::make_unique<EnvironmentLight>(*background.cube_map);
+  // Of a sky that is the same everywhere no direction is better than another: the surface's own
+  // choice is the best there is.
+  return nullptr;
+}
+
+/// Those to choose from when a light is to be sampled: the others are found by rays alone.
+std::vector<const Light*> OnlyPoints(std::vector<const Light*> lights) {
+  struct Dark final : Light {
+    LightKind Kind() const override { return LightKind::kSurface; }
+    LightSample SampleIncident(Vec3) const override { return {{}, {}, 0, 0}; }
+    LightReach Reach() const override { return {}; }
+  };
+  static const Dark kDark;
+  for (const Light*& light : lights) {
+    if (light->Kind() != LightKind::kPoint) light = &kDark;
+  }
+  return lights;
+}
+
+float SizeOf(const Scene& scene) {
+  const Bounds3 bounds = scene.Bounds();
+  const float size = bounds.IsEmpty() ? 1 : Length(bounds.Extent()) / 2;
+  return std::clamp(size, 1e-10f, 1e10f);
+}
+
+}  // namespace
+
+PathLights::PathLights(const Scene& scene, const PathTechniques& techniques)
+    : scene_(scene),
+      techniques_(techniques),
+      environment_(EnvironmentOf(scene.background())),
+      lights_(LightsOf(scene, environment_.get())),
+      picker_(techniques.next_event ? lights_ : OnlyPoints(lights_), SizeOf(scene),
+              techniques.light_choice) {
+  for (uint32_t i = 0; i < scene.lights().size(); ++i) {
+    if (lights_[i]->Kind() == LightKind::kSky) suns_.push_back(i);
+  }
+}
+
+PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension, Vec3 p) const {
+  const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
+  const auto [index, choice] = picker_.Choose(p, u);
+  const Light& light = *lights_[index];
+  const LightSample sample = light.SampleIncident(p, path.sampler.Get2D(dimension + kLightPoint));
+  return {sample, choice * sample.pdf, light.Kind() != LightKind::kPoint};
+}
+
+Spectrum PathLights::FromSky(const PathState& path, Vec3 direction) const {
+  Spectrum sum = scene_.background().Radiance(direction);
+  if (environment_) {
+    const auto index = static_cast<uint32_t>(lights_.size() - 1);
+    sum *= Spectrum(WeightOfFound(path, index, {}, direction));
+  }
+  for (const uint32_t sun : suns_) {
+    const Spectrum light = lights_[sun]->Emitted({}, -direction);
+    if (!light.IsBlack()) sum += light * WeightOfFound(path, sun, {}, direction);
+  }
+  return sum;
+}
+
+Spectrum PathLights::FromSurface(const PathState& path, const SurfacePoint& point, Vec3 wo,
+                                 uint32_t light) const {
+  const Spectrum emitted = lights_[light]->Emitted(point, wo);
+  if (emitted.IsBlack()) return {};
+  return emitted * WeightOfFound(path, light, point, -wo);
+}
+
+/// How much of a light counts that a ray along `w` has found, where it could have been sampled too.
+float PathLights::WeightOfFound(const PathState& path, uint32_t light, const SurfacePoint& point,
+                                Vec3 w) const {
+  if (path.pdf == 0 || !techniques_.next_event) return 1;
+  const float choice = picker_.Probability(path.p, light);
+  if (choice == 0) return 1;
+  return Weight(path.pdf, choice * lights_[light]->PdfIncident(path.p, point, w));
+}
+
+float PathLights::Weight(float pdf, float other_pdf) const {
+  if (other_pdf == 0) return 1;
+  const float ratio = other_pdf / pdf;
+  const bool is_power = techniques_.weights == PathTechniques::Weights::kPowerHeuristic;
+  return 1 / (1 + (is_power ? ratio * ratio : ratio));
+}
+
+}  // namespace candela

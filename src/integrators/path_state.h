@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/surface_point.h"
+#include "integrators/medium_stack.h"
+#include "integrators/ray_cone.h"
+#include "materials/bsdf.h"
+#include "materials/material.h"
+#include "math/spectrum.h"
+#include "math/vec.h"
+#include "sampling/sampler.h"
+
+namespace candela {
+
+/// What the dimensions of a bounce are used for.
+enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
+
+/// What a surface does with a path; each has a limit of its own.
+enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
+
+inline BounceKind KindOf(bool is_delta, bool is_transmission) {
+  if (is_transmission) return kTransmission;
+  return is_delta ? kMirror : kDiffuse;
+}
+
+/// A sample on its way.
+struct PathState {
+  uint32_t sample = 0;  ///< Its place in the list.
+  Sampler sampler{0, 0, 0, 0};
+  Spectrum throughput = Spectrum(1);
+  MediumStack media;  ///< What it is in.
+  /// What brings `throughput`, which is about radiance, to a share of power: the square of the
+  /// refractive index.
+  float eta_squared = 1;
+  uint32_t bounces = 0;  ///< So far; holes that it has gone through do not count.
+  std::array<uint16_t, 3> bounces_of_kind{};
+  /// The density with which the last surface has drawn the ray, over solid angle; 0 when a sampled
+  /// light could not have done it: from the camera and from mirrors. Holes on the way change
+  /// nothing: rays to sampled lights pass them, too.
+  float pdf = 0;
+  Vec3 p;  ///< The point of that surface.
+  RayCone cone;
+};
+
+/// A surface that a path has met.
+struct PathVertex {
+  SurfacePoint point;
+  Vec3 wo;
+  Bsdf bsdf;
+  const Material* material;
+  bool is_lifted = false;    ///< See `Scene::LiftOf`.
+  MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
+};
+
+}  // namespace candela

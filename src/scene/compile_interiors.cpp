@@ -1,0 +1,99 @@
+#include "scene/compile_interiors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "base/text.h"
+#include "scene_spec/param_reader.h"
+
+namespace candela {
+namespace {
+
+constexpr int64_t kGreatestPriority = 1000;
+
+class InteriorCompiler {
+ public:
+  InteriorCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
+      : spec_(spec), diagnostics_(*diagnostics) {}
+
+  CompiledInteriors Compile() {
+    for (const MediumSpec& spec : spec_.media) {
+      ParamReader params(spec.params, "Medium", spec.where, &diagnostics_);
+      const Medium medium = Medium::Create(&params, 1);
+      params.Finish();
+      medium_by_name_.try_emplace(spec.name, medium);
+    }
+    CompiledInteriors interiors;
+    for (const NodeSpec& node : spec_.nodes) {
+      interiors.of_node.push_back(node.interior ? InteriorOf(node) : std::nullopt);
+      if (interiors.of_node.back()) Add(interiors.of_node.back()->medium.ior, &interiors.indices);
+    }
+    if (!interiors.indices.empty()) Add(1, &interiors.indices);
+    return interiors;
+  }
+
+ private:
+  static void Add(float index, std::vector<float>* indices) {
+    const bool is_there = std::find(indices->begin(), indices->end(), index) != indices->end();
+    if (!is_there) indices->push_back(index);
+  }
+
+  std::optional<Interior> InteriorOf(const NodeSpec& node) {
+    const InteriorSpec& spec = *node.interior;
+    ParamReader params(spec.params, "Component<Interior>", spec.where, &diagnostics_);
+    const std::string name = params.RequiredWord("medium");
+    const auto medium = name.empty() ? std::nullopt : MediumNamed(name, params.Where("medium"));
+    Interior interior;
+    interior.is_explicit = true;
+    if (params.Has("priority")) interior.priority = Priority(&params);
+    params.Finish();
+    if (!node.object) {
+      diagnostics_.Error(spec.where, "there is no object in this node that could be filled");
+    }
+    if (!medium) return std::nullopt;
+    interior.medium = *medium;
+    return interior;
+  }
+
+  static int Priority(ParamReader* params) {
+    const auto priority = params->RequiredInteger("priority");
+    if (!priority) return 0;
+    if (*priority >= 0 && *priority <= kGreatestPriority) return static_cast<int>(*priority);
+    params->Error(params->Where("priority"),
+                  fmt::format("'priority' expects a whole number from 0 to {}, found '{}'",
+                              kGreatestPriority, *priority));
+    return 0;
+  }
+
+  std::optional<Medium> MediumNamed(std::string_view name, const SourceLocation& where) {
+    const auto found = medium_by_name_.find(name);
+    if (found != medium_by_name_.end()) return found->second;
+    std::vector<std::string_view> names;
+    for (const auto& [known, medium] : medium_by_name_) names.push_back(known);
+    for (const NamedNumber& substance : Medium::Substances()) {
+      if (substance.name == name) return Medium{substance.value, {}};
+      names.push_back(substance.name);
+    }
+    if (!spec_.media_are_damaged) {
+      diagnostics_.Error(where, [&] {
+        return fmt::format("there is no medium named {}{}", Quote(name), DidYouMean(name, names));
+      });
+    }
+    return std::nullopt;
+  }
+
+  const SceneSpec& spec_;
+  Diagnostics& diagnostics_;
+  std::map<std::string_view, Medium> medium_by_name_;
+};
+
+}  // namespace
+
+CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics) {
+  return InteriorCompiler(spec, diagnostics).Compile();
+}
+
+}  // namespace candela

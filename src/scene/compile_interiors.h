@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "scene/interior.h"
+#include "scene_spec/scene_spec.h"
+
+namespace candela {
+
+/// What fills the objects of a scene, as far as that says so.
+struct CompiledInteriors {
+  /// By node. Nothing where the scene says nothing, or something wrong, which is reported.
+  std::vector<std::optional<Interior>> of_node;
+  /// The refractive indices that may meet at a surface, that of air among them; none when no object
+  /// is filled.
+  std::vector<float> indices;
+};
+
+CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics);
+
+}  // namespace candela

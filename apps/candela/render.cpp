@@ -16,6 +16,7 @@
 #include "image/image_file.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
+#include "integrators/whitted.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -218,6 +219,12 @@ void RenderCommand::AddExamples() {
 void RenderCommand::ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
   parser_.ReadBlock("Render", spec.render.params, diagnostics);
   parser_.ReadBlock("Film", spec.film.params, diagnostics);
+  const Param* size = spec.film.params.Find("size");
+  if (const auto fits = common_.FinishSize(parser_); !fits && size) {
+    diagnostics->Error(size->where,
+                       fmt::format("'size' expects sides of at most {} pixels", kLargestCount),
+                       fits.error().code);
+  }
   if (!jitter_) return;
   // Whoever asks for the course's samples does not get those of the scene.
   if (!parser_.Has("samples")) samples_.reset();
@@ -228,6 +235,8 @@ void RenderCommand::FinishSettings() {
   FinishSamples();
   FinishGrid();
   FinishTone();
+  auto& bounces = request_.integrator_options.bounces;
+  if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
   request_.integrator_options.seed = request_.render.seed;
 }
 

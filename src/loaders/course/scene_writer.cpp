@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,6 +13,15 @@ namespace {
 
 std::string ToText(Vec3 v) {
   return fmt::format("{} {} {}", v.x, v.y, v.z);
+}
+
+bool FitsFloat(const Mat4& matrix) {
+  for (const auto& row : matrix.m) {
+    for (const double value : row) {
+      if (!std::isfinite(static_cast<float>(value))) return false;
+    }
+  }
+  return true;
 }
 
 /// Writes blocks, each line as far to the right as there are blocks around it.
@@ -120,14 +130,28 @@ class Writer {
     for (; !open.empty(); open.pop_back()) Close();
   }
 
-  void WriteItems(const NodeSpec& node) {
-    if (node.parent_from_node != Mat4::Identity()) {
-      std::string rows;
-      for (size_t row = 0; row < 3; ++row) {
-        rows += fmt::format("  {}", fmt::join(node.parent_from_node.m[row], " "));
-      }
-      Line("Transform { matrix" + rows + " }");
+  /// The numbers of a scene have the range of single precision, those of a product do not: what
+  /// they go beyond it becomes factors in front, as many as it takes to leave double precision as
+  /// well where the product has.
+  void WriteTransform(Mat4 matrix) {
+    constexpr double kFactor = 0x1p120;  // A power of two: it changes no digit.
+    constexpr int kTooMany = 10;
+    int factors = 0;
+    for (; factors < kTooMany && !FitsFloat(matrix); ++factors) {
+      matrix = Mat4::Scale({1 / kFactor, 1 / kFactor, 1 / kFactor}) * matrix;
     }
+    if (factors == kTooMany) matrix = Mat4::Identity();
+    std::string steps;
+    for (; factors > 0; --factors) steps += fmt::format("scale {0} {0} {0}  ", kFactor);
+    steps += "matrix";
+    for (size_t row = 0; row < 3; ++row) {
+      steps += fmt::format("  {}", fmt::join(matrix.m[row], " "));
+    }
+    Line("Transform { " + steps + " }");
+  }
+
+  void WriteItems(const NodeSpec& node) {
+    if (node.parent_from_node != Mat4::Identity()) WriteTransform(node.parent_from_node);
     if (node.material && !node.material->name.empty()) {
       Line("Component<Material> { name " + node.material->name + " }");
     } else if (node.material && node.material->index) {

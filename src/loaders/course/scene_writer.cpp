@@ -109,11 +109,18 @@ class Writer {
   }
 
   void WriteTyped(std::string_view word, const std::string& name, const TypedSpec& spec) {
-    std::string line = std::string(word) + " {";
-    if (!name.empty()) line += " name " + name + " ";
-    line += " type " + spec.type;
-    for (const Param& param : spec.params.params) line += "  " + ToText(param);
-    Line(line + " }");
+    WriteBlock(word, name, spec.type, spec.params);
+  }
+
+  /// In one line; a name or a type that is empty is left out.
+  void WriteBlock(std::string_view word, const std::string& name, const std::string& type,
+                  const ParamSet& params) {
+    std::string items;
+    const auto add = [&](const std::string& item) { items += (items.empty() ? " " : "  ") + item; };
+    if (!name.empty()) add("name " + name);
+    if (!type.empty()) add("type " + type);
+    for (const Param& param : params.params) add(ToText(param));
+    Line(std::string(word) + " {" + items + " }");
   }
 
   /// The nodes are in the order of a file, each after its parent: those that are open when one

@@ -1,9 +1,28 @@
-// Scene texts: whatever they hold, reading ends, and a scene without errors can be compiled.
+// Scene texts: whatever they hold, reading ends, a scene without errors can be compiled, and what
+// it resolves to is a scene as well, which resolves to itself.
+#include <memory>
+#include <string>
 #include <string_view>
 
 #include "base/check.h"
 #include "loaders/course/scene_parser.h"
+#include "loaders/course/scene_writer.h"
 #include "scene/compile_scene.h"
+
+namespace candela {
+namespace {
+
+void CheckResolved(const SceneSpec& resolved) {
+  const std::string text = WriteScene(resolved);
+  Diagnostics diagnostics;
+  SceneSpec again;
+  CompileScene(ParseScene(nullptr, text, "/nowhere", &diagnostics), &diagnostics, &again);
+  CHECK(!diagnostics.HasErrors());
+  CHECK(WriteScene(again) == text);
+}
+
+}  // namespace
+}  // namespace candela
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
   using namespace candela;
@@ -14,8 +33,10 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
   const SceneSpec spec = ParseScene(file, text, "/nowhere", &diagnostics);
 
   // Compiled also after errors: programs do so to find more of them.
-  const bool has_scene = CompileScene(spec, &diagnostics) != nullptr;
+  SceneSpec resolved;
+  const bool has_scene = CompileScene(spec, &diagnostics, &resolved) != nullptr;
   CHECK(has_scene != diagnostics.HasErrors());
   for (const std::string& line : diagnostics.Lines()) CHECK(line.size() < 500);
+  if (has_scene) CheckResolved(resolved);
   return 0;
 }

@@ -1,6 +1,9 @@
 // The course's program: its flags as they are, on the same library as `candela`.
 
+#include <fmt/format.h>
+
 #include <span>
+#include <utility>
 
 #include "base/signals.h"
 #include "driver/arg_parser.h"
@@ -21,6 +24,17 @@ void ChooseSamples(bool jitter, bool filter, RenderOptions* options) {
   if (!jitter && !filter) return;
   options->pattern = filter ? SamplePattern::kStrataTent : SamplePattern::kStrata;
   options->samples = kStrataSamples;
+}
+
+/// The course's program does what its command line says, whatever else a scene wishes.
+Result<void> WarnOfSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
+  for (const auto& [name, block] : {std::pair("Render", &spec.render), {"Film", &spec.film}}) {
+    if (!block->is_given) continue;
+    diagnostics->Warning(block->where, fmt::format("'{}' is for 'candela render'; this program "
+                                                   "does what its command line says",
+                                                   name));
+  }
+  return {};
 }
 
 int Run(std::span<const char* const> words) {
@@ -53,7 +67,7 @@ int Run(std::span<const char* const> words) {
   Result<void> done = common.Finish(parser);
   if (done) done = common.FinishFiles(parser);
   if (!done) return PrintError(request.program, done.error());
-  return RunRender(request);
+  return RunRender(request, WarnOfSettings);
 }
 
 }  // namespace

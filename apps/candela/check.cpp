@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "candela/commands.h"
+#include "candela/render_settings.h"
 #include "candela/scene_facts.h"
 #include "driver/arg_parser.h"
 #include "driver/console.h"
@@ -27,6 +28,11 @@ std::string Summary(const std::filesystem::path& path, const LoadedScene& loaded
   return summary + "\n";
 }
 
+Result<void> CheckSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
+  ReadRenderSettings(spec, diagnostics);
+  return {};
+}
+
 }  // namespace
 
 int RunCheckCommand(Words words) {
@@ -38,7 +44,7 @@ int RunCheckCommand(Words words) {
 
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
-  const auto loaded = LoadSceneForUser(*path);
+  const auto loaded = LoadSceneForUser(*path, CheckSettings);
   if (!loaded) return static_cast<int>(loaded.error().code);
   return PrintResult(parser.program(), Summary(*path, *loaded));
 }

@@ -4,11 +4,13 @@
 
 #include "base/result.h"
 #include "candela/commands.h"
+#include "candela/render_settings.h"
 #include "candela/scene_facts.h"
 #include "driver/arg_parser.h"
 #include "driver/console.h"
 #include "driver/find_scene.h"
 #include "driver/load_scene.h"
+#include "loaders/course/scene_writer.h"
 
 namespace candela {
 namespace {
@@ -49,7 +51,18 @@ std::string TreeRow(const SceneTree& tree) {
                                  Count(depth, "node"), IsaName(tree.group->isa())));
 }
 
-std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) {
+/// "integrator path, bounces 8".
+std::string ToText(const ParamSet& settings) {
+  std::string text;
+  for (const Param& param : settings.params) {
+    text += (text.empty() ? "" : ", ") + param.name;
+    for (const ParamWord& word : param.words) text += " " + word.text;
+  }
+  return text;
+}
+
+std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
+                  const RenderSettings& settings) {
   const SceneFacts facts(loaded);
   const CameraSpec& camera = loaded.spec.camera;
   const BackgroundSpec& background = loaded.spec.background;
@@ -62,13 +75,17 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) 
   }
   text += Row("lights", WithTypes(facts.lights, facts.lights_by_type));
   text += Row("materials", fmt::format("{}", facts.materials));
-  text += Row("background", background.cube_map.empty() ? ToText(background.color)
-                                                        : "cube map " + background.cube_map);
+  text +=
+      Row("background", !background.environment.empty() ? "environment " + background.environment
+                        : !background.cube_map.empty()  ? "cube map " + background.cube_map
+                                                        : ToText(background.color));
   text += Row("ambient", ToText(background.ambient_light));
   text += BoundsRow(loaded.scene->Bounds());
   text +=
       Row("camera", fmt::format("at {}, direction {}, up {}, {:.6g} degrees", ToText(camera.center),
                                 ToText(camera.direction), ToText(camera.up), camera.fov_degrees));
+  text += Row("render", ToText(settings.render));
+  text += Row("film", ToText(settings.film));
   text += TreeRow(loaded.scene->tree());
   text += Row("memory", fmt::format("{:.1f} MiB, without pictures",
                                     static_cast<double>(loaded.scene->MemoryBytes()) / (1 << 20)));
@@ -79,16 +96,33 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded) 
 
 int RunInfoCommand(Words words) {
   std::filesystem::path name;
+  bool shows_resolved = false;
   ArgParser parser("candela info", kSummary, ArgStyle::kGnu);
   parser.Positional(File("SCENE", &name), "scene to read");
+  parser.Group("What is shown");
+  parser.Flag("resolved", &shows_resolved,
+              "in place of a summary the scene itself, as a scene in which nothing is included and "
+              "nothing left to defaults; it gives the same picture, from the same folder");
   parser.Example("scene06_bunny_1k.txt", "a scene that ships with Candela");
+  parser.Example("my_scene.txt --resolved > my_scene_resolved.txt", "every default, written out");
   if (const auto status = ReadCommandLine(parser, words)) return *status;
 
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
-  const auto loaded = LoadSceneForUser(*path);
+  RenderSettings settings;
+  const auto read_settings = [&](const SceneSpec& spec, Diagnostics* diagnostics) {
+    settings = ReadRenderSettings(spec, diagnostics);
+    return Result<void>();
+  };
+  SceneSpec resolved;
+  const auto loaded = LoadSceneForUser(*path, read_settings, shows_resolved ? &resolved : nullptr);
   if (!loaded) return static_cast<int>(loaded.error().code);
-  return PrintResult(parser.program(), Facts(*path, *loaded));
+  if (shows_resolved) {
+    resolved.render.params = settings.render;
+    resolved.film.params = settings.film;
+    return PrintResult(parser.program(), WriteScene(resolved));
+  }
+  return PrintResult(parser.program(), Facts(*path, *loaded, settings));
 }
 
 }  // namespace candela

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "candela/commands.h"
+#include "candela/render_settings.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/console.h"
@@ -15,6 +16,7 @@
 #include "image/image_file.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
+#include "integrators/whitted.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -64,6 +66,9 @@ std::string ToneCurveSummaries() {
   return summaries;
 }
 
+/// Options that are settings of a scene as well.
+constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
+
 Error UsageError(std::string message) {
   return {ErrorCode::kUsage, std::move(message)};
 }
@@ -79,33 +84,51 @@ class RenderCommand {
 
   int Run(Words words) {
     if (const auto status = ReadCommandLine(parser_, words)) return *status;
-    if (const auto done = Finish(); !done) return PrintError(parser_.program(), done.error());
-    return RunRender(request_);
+    if (const auto done = CheckOptions(); !done) return PrintError(parser_.program(), done.error());
+    return RunRender(request_, [this](const SceneSpec& spec, Diagnostics* diagnostics) {
+      ReadSettings(spec, diagnostics);
+      return Finish();
+    });
+  }
+
+  /// What a scene says about its rendering, for options that were not given.
+  void ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics);
+  /// What follows from the options that scenes may set, stored in them.
+  void FinishSettings();
+  RenderSettings Settings() const {
+    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film")};
   }
 
  private:
   void AddOptions();
   void AddExamples();
 
-  Result<void> Finish() {
-    if (const auto done = FinishSamples(); !done) return done;
+  /// What can be said without the scene.
+  Result<void> CheckOptions() {
+    if (const auto done = CheckJitter(); !done) return done;
     if (const auto done = CheckPixel(); !done) return done;
     if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
-    if (const auto done = FinishWindow(); !done) return done;
-    request_.integrator_options.seed = request_.render.seed;
-    request_.render.grid = ChooseGrid();
+    if (const auto done = CheckTone(); !done) return done;
     request_.output_options.png_bits = png_bits_ == "16" ? 16 : 8;
-    if (const auto done = FinishTone(); !done) return done;
     return common_.FinishFiles(parser_);
   }
 
-  Result<void> FinishSamples();
-  Result<void> FinishWindow();
+  /// The rest, once the settings of the scene are known.
+  Result<void> Finish() {
+    FinishSettings();
+    if (const auto done = common_.FinishSize(parser_); !done) return done;
+    return FinishWindow();
+  }
+
+  Result<void> CheckJitter() const;
   Result<void> CheckPixel();
   Result<void> FinishIsa();
-  Result<void> FinishTone();
-  PixelGrid ChooseGrid() const;
+  Result<void> CheckTone() const;
+  void FinishSamples();
+  void FinishGrid();
+  void FinishTone();
+  Result<void> FinishWindow();
 
   RenderRequest request_;
   ArgParser parser_;
@@ -113,7 +136,7 @@ class RenderCommand {
   bool jitter_ = false;
   std::string png_bits_ = "8";
   std::optional<std::string> filter_, grid_, isa_, tonemap_;
-  float exposure_ = 0;
+  std::optional<float> exposure_;
   std::optional<uint32_t> samples_;
   PixelWindow crop_;
   RenderRequest::PixelPosition pixel_{};
@@ -128,9 +151,10 @@ void RenderCommand::AddOptions() {
   parser_.Option("png-bits", {Choice("BITS", &png_bits_, {"8", "16"})},
                  "bits of each channel in .png files: 8 (default) or 16");
 
-  parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries());
+  parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
+                 kInFilm);
   parser_.Option("exposure", {Real("EV", &exposure_)},
-                 "brightness of .png files in stops: 1 doubles the light (default 0)");
+                 "brightness of .png files in stops: 1 doubles the light (default 0)", kInFilm);
 
   parser_.Group("Frame");
   common_.AddFrame(&parser_);
@@ -141,31 +165,35 @@ void RenderCommand::AddOptions() {
                  "and Y1, counted from the top left corner");
   parser_.Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
                  "whether the positions of the outermost pixels lie on the edge of the view, as in "
-                 "the course, or half a pixel inside (default corners, with path centres)");
+                 "the course, or half a pixel inside (default corners, with path centres)",
+                 kInFilm);
 
   parser_.Group("Light");
   parser_.Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
-                 IntegratorSummaries());
+                 IntegratorSummaries(), kInRender);
   common_.AddLight(&parser_, "0, with path as many as it takes");
   IntegratorOptions& light = request_.integrator_options;
   parser_.Option("diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
-                 "with path: of the bounces, those by surfaces that scatter (default all)");
+                 "with path: of the bounces, those by surfaces that scatter (default all)",
+                 kInRender);
   parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
-                 "with path: those by mirrors (default all)");
+                 "with path: those by mirrors (default all)", kInRender);
   parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
-                 "with path: those through surfaces (default all)");
+                 "with path: those through surfaces (default all)", kInRender);
 
   parser_.Group("Samples");
   parser_.Option("samples", {Whole("N", &samples_, 1)},
                  fmt::format("samples of each pixel (default 1, with --filter {}, with path {})",
-                             kFilteredSamples, kPathSamples));
+                             kFilteredSamples, kPathSamples),
+                 kInRender);
   parser_.Option(
       "filter", {Choice("NAME", &filter_, FilterNames())},
-      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")));
+      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
+      kInFilm);
   parser_.Flag("jitter", &jitter_,
                "the course's 4x4 samples of each pixel, with --filter tent weighed");
   parser_.Option("seed", {Whole("N", &render.seed, 0, 4294967295)},
-                 "another number gives other random positions (default 0)");
+                 "another number gives other random positions (default 0)", kInRender);
 
   parser_.Group("Work");
   parser_.Option("threads", {Whole("N", &request_.threads, 1, 1024)},
@@ -188,24 +216,54 @@ void RenderCommand::AddExamples() {
                   "why a pixel has the colour it has");
 }
 
-Result<void> RenderCommand::FinishSamples() {
-  RenderOptions& render = request_.render;
+void RenderCommand::ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
+  parser_.ReadBlock("Render", spec.render.params, diagnostics);
+  parser_.ReadBlock("Film", spec.film.params, diagnostics);
+  const Param* size = spec.film.params.Find("size");
+  if (const auto fits = common_.FinishSize(parser_); !fits && size) {
+    diagnostics->Error(size->where,
+                       fmt::format("'size' expects sides of at most {} pixels", kLargestCount),
+                       fits.error().code);
+  }
+  if (!jitter_) return;
+  // Whoever asks for the course's samples does not get those of the scene.
+  if (!parser_.Has("samples")) samples_.reset();
+  if (!parser_.Has("filter")) filter_.reset();
+}
+
+void RenderCommand::FinishSettings() {
+  FinishSamples();
+  FinishGrid();
+  FinishTone();
+  auto& bounces = request_.integrator_options.bounces;
+  if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
+  request_.integrator_options.seed = request_.render.seed;
+}
+
+Result<void> RenderCommand::CheckJitter() const {
   if (jitter_ && samples_) return UsageError("--jitter and --samples: give one of them");
   if (jitter_ && filter_ && *filter_ != "tent") {
     return UsageError("--jitter goes with --filter tent only; use --samples with other filters");
   }
+  return {};
+}
+
+void RenderCommand::FinishSamples() {
+  RenderOptions& render = request_.render;
   if (jitter_) {
     render.pattern = filter_ ? SamplePattern::kStrataTent : SamplePattern::kStrata;
     render.samples = kStrataSamples;
-    return {};
+    return;
   }
   const uint32_t usual = request_.integrator == "path" ? kPathSamples
                          : filter_                     ? kFilteredSamples
                                                        : 1;
-  render.samples = samples_.value_or(usual);
+  if (!samples_) samples_ = usual;
+  render.samples = *samples_;
   render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
-  render.filter = filter_.value_or("box");
-  return {};
+  if (render.pattern == SamplePattern::kCentre) return;
+  if (!filter_) filter_ = "box";
+  render.filter = *filter_;
 }
 
 Result<void> RenderCommand::FinishWindow() {
@@ -246,7 +304,7 @@ Result<void> RenderCommand::FinishIsa() {
   return UsageError(fmt::format("--isa: this processor does not know {}", *isa_));
 }
 
-Result<void> RenderCommand::FinishTone() {
+Result<void> RenderCommand::CheckTone() const {
   if (request_.output && FormatOf(*request_.output) != ImageFormat::kPng) {
     for (const char* name : {"tonemap", "exposure"}) {
       if (!parser_.Has(name)) continue;
@@ -254,22 +312,30 @@ Result<void> RenderCommand::FinishTone() {
           fmt::format("--{} is for .png files; the others hold the light itself", name));
     }
   }
-  const std::string usual = request_.integrator == "path" ? "srgb" : "none";
-  const std::string curve = tonemap_.value_or(usual);
-  ToneMapping& tone = request_.output_options.tone;
-  // Without both the course's quantisation stays as it is.
-  if (curve != "none" || parser_.Has("exposure")) tone.curve = FindToneCurve(curve);
-  tone.gain = Exp2(exposure_);
   return {};
 }
 
-PixelGrid RenderCommand::ChooseGrid() const {
-  const std::string_view usual = request_.integrator == "path" ? "centres" : "corners";
-  return grid_.value_or(std::string(usual)) == "centres" ? PixelGrid::kCentres
-                                                         : PixelGrid::kCorners;
+void RenderCommand::FinishTone() {
+  if (!tonemap_) tonemap_ = request_.integrator == "path" ? "srgb" : "none";
+  // Without both the course's quantisation stays as it is.
+  if (*tonemap_ == "none" && !exposure_) return;
+  if (!exposure_) exposure_ = 0.0f;
+  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(*exposure_)};
+}
+
+void RenderCommand::FinishGrid() {
+  if (!grid_) grid_ = request_.integrator == "path" ? "centres" : "corners";
+  request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
 }
 
 }  // namespace
+
+RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
+  RenderCommand command;
+  command.ReadSettings(spec, diagnostics);
+  command.FinishSettings();
+  return command.Settings();
+}
 
 int RunRenderCommand(Words words) {
   return RenderCommand().Run(words);

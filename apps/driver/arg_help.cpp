@@ -61,6 +61,24 @@ std::string ArgParser::UsageLine() const {
   return usage + " " + Wrap(std::string_view(rest).substr(1), indent, indent);
 }
 
+/// Which options scenes may set, block by block.
+std::string ArgParser::BlocksHelp() const {
+  std::vector<std::string_view> blocks;
+  for (const OptionEntry& option : options_) {
+    const std::string_view block = option.traits.block;
+    const bool is_known = std::find(blocks.begin(), blocks.end(), block) != blocks.end();
+    if (!block.empty() && !is_known) blocks.push_back(block);
+  }
+  if (blocks.empty()) return {};
+  std::sort(blocks.begin(), blocks.end());
+  std::string help = "\nIn the scene (the command line wins; --FLAG=false turns a flag off):\n";
+  for (const std::string_view block : blocks) {
+    help +=
+        Row(fmt::format("{} {{ ... }}", block), fmt::format("{}", fmt::join(NamesIn(block), ", ")));
+  }
+  return help;
+}
+
 std::string ArgParser::Help() const {
   std::string help = UsageLine() + "\n" + Wrap(summary_, 0, 0);
 
@@ -76,6 +94,7 @@ std::string ArgParser::Help() const {
       help += Row((letter ? fmt::format("-{}, ", letter) : "") + LabelOf(option), option.help);
     }
   }
+  help += BlocksHelp();
   help += "\nHelp:\n";
   help += Row(style_ == ArgStyle::kCourse ? Spell("help") : "-h, " + Spell("help"), "show this");
   help += Row(Spell("version"), "show the version");

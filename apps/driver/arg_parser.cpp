@@ -92,19 +92,14 @@ class ArgParser::Reader {
     const auto [option, joined] = TakeApart(word);
     if (option == nullptr) return UnknownOption(word);
     const std::string name = parser_.Spell(option->name);
-    if (option->values.empty()) {
-      if (joined) {
-        return UsageError(fmt::format("{}: takes no value, found {}", name, Quote(*joined)));
-      }
-      *option->flag = option->given = true;
-      return {};
-    }
+    if (option->values.empty()) return ReadFlag(option, name, joined);
     if (std::exchange(option->given, true)) return UsageError(name + " is given twice");
     last_with_values_ = option;
 
     const size_t count = option->values.size();
     size_t found = 0;
     if (joined) {
+      option->words.push_back(*joined);
       if (auto result = Store(option->values[found++], *joined, name, count > 1); !result) {
         return result;
       }
@@ -112,10 +107,26 @@ class ArgParser::Reader {
     for (; found < count; ++found) {
       if (next_ == words_.size() || LooksLikeOption(words_[next_])) return TooFew(*option, found);
       const std::string_view value = words_[next_++];
+      option->words.push_back(value);
       if (auto result = Store(option->values[found], value, name, count > 1); !result) {
         return result;
       }
     }
+    return {};
+  }
+
+  static Result<void> ReadFlag(OptionEntry* option, const std::string& name,
+                               std::optional<std::string_view> joined) {
+    const bool is_switch = !option->traits.block.empty();
+    if (joined && !is_switch) {
+      return UsageError(fmt::format("{}: takes no value, found {}", name, Quote(*joined)));
+    }
+    if (joined && *joined != "true" && *joined != "false") {
+      return UsageError(
+          fmt::format("{}: expects 'true' or 'false', found {}", name, Quote(*joined)));
+    }
+    option->given = true;
+    *option->flag = joined != "false";
     return {};
   }
 

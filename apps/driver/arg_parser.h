@@ -6,8 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "driver/arg_value.h"
+#include "scene_spec/param_set.h"
 
 namespace candela {
 
@@ -21,6 +23,8 @@ enum class ArgStyle {
 struct ArgTraits {
   char letter = 0;  ///< Short form in the style of GNU.
   bool required = false;
+  /// The block of a scene in which the option may stand as well, with '_' for '-' in its name.
+  std::string_view block = {};
 };
 
 /// Reads a command line by a description of it, which is also its help.
@@ -28,6 +32,7 @@ struct ArgTraits {
 /// An option is followed by as many words as it has values; the first may also be joined with '='
 /// (`--size=200 200`). A word that looks like an option is never taken for a value, unless it is
 /// joined; negative numbers do not look like one. An option with values may be given once only.
+/// A flag that may stand in a scene can be turned off: `--shadows=false`.
 /// After `--` come only positional arguments. In the course's style two dashes mean the same as
 /// one.
 class ArgParser {
@@ -56,8 +61,16 @@ class ArgParser {
   /// is the first one found. A request for help or the version wins over any error.
   Result<Outcome> Parse(std::span<const char* const> words);
 
-  /// Whether the option was given.
+  /// Whether the option was given on the command line.
   bool Has(std::string_view name) const;
+
+  /// Gives the parameters of a block of a scene to the options that may stand in it; what is wrong
+  /// with them is reported, and an option that was given on the command line keeps its value from
+  /// there. Comes after `Parse`, whose words still have to be there.
+  void ReadBlock(std::string_view block, const ParamSet& params, Diagnostics* diagnostics);
+  /// The options that may stand in a block, with the values that they have now; those that have
+  /// none are left out.
+  ParamSet ShowBlock(std::string_view block) const;
 
   /// An option as the user writes it: "-size" or "--size".
   std::string Spell(std::string_view name) const;
@@ -77,6 +90,7 @@ class ArgParser {
     ArgTraits traits;
     size_t group = 0;
     bool given = false;
+    std::vector<std::string_view> words = {};  ///< Of its values, as they were given.
   };
   struct PositionalEntry {
     ArgValue value;
@@ -89,10 +103,14 @@ class ArgParser {
     std::string arguments, help;
   };
   class Reader;
+  class BlockReader;
 
   OptionEntry* Find(std::string_view name);
+  /// The options that may stand in a block, as they are written there.
+  std::vector<std::string> NamesIn(std::string_view block) const;
   std::string LabelOf(const OptionEntry& option) const;
   std::string UsageLine() const;
+  std::string BlocksHelp() const;
 
   std::string program_, summary_;
   ArgStyle style_;

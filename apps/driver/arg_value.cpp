@@ -18,6 +18,16 @@ ArgValue FileInto(std::string label, Target* target) {
           }};
 }
 
+/// What a target holds, as a word; empty for an optional one that holds nothing.
+template <class T>
+std::string Show(const T& value) {
+  return fmt::format("{}", value);
+}
+template <class T>
+std::string Show(const std::optional<T>& value) {
+  return value ? Show(*value) : std::string();
+}
+
 template <class Target>
 ArgValue ChoiceInto(std::string label, Target* target, std::vector<std::string_view> choices) {
   const auto store = [target, choices](std::string_view text) {
@@ -25,7 +35,17 @@ ArgValue ChoiceInto(std::string label, Target* target, std::vector<std::string_v
     *target = std::string(text);
     return true;
   };
-  return {std::move(label), ListOf(choices), store, choices};
+  return {std::move(label), ListOf(choices), store, choices, [target] { return Show(*target); }};
+}
+
+template <class Target>
+ArgValue RealInto(std::string label, Target* target) {
+  const auto store = [target](std::string_view text) {
+    const auto value = ParseFloat(text);
+    if (value) *target = *value;
+    return value.has_value();
+  };
+  return {std::move(label), "a number", store, {}, [target] { return Show(*target); }};
 }
 
 }  // namespace
@@ -35,20 +55,22 @@ std::string DescribeRange(int64_t least, int64_t most) {
 }
 
 ArgValue Real(std::string label, float* target) {
-  return {std::move(label), "a number", [=](std::string_view text) {
-            const auto value = ParseFloat(text);
-            if (value) *target = *value;
-            return value.has_value();
-          }};
+  return RealInto(std::move(label), target);
+}
+
+ArgValue Real(std::string label, std::optional<float>* target) {
+  return RealInto(std::move(label), target);
 }
 
 ArgValue NotNegative(std::string label, std::optional<double>* target) {
-  return {std::move(label), "a number of at least 0", [=](std::string_view text) {
-            const auto value = ParseDouble(text);
-            if (!value || *value < 0) return false;
-            *target = *value;
-            return true;
-          }};
+  const auto store = [target](std::string_view text) {
+    const auto value = ParseDouble(text);
+    if (!value || *value < 0) return false;
+    *target = *value;
+    return true;
+  };
+  return {
+      std::move(label), "a number of at least 0", store, {}, [target] { return Show(*target); }};
 }
 
 ArgValue File(std::string label, std::filesystem::path* target) {

@@ -21,6 +21,8 @@ struct ArgValue {
   /// Converts the word and stores it; false, and nothing stored, when it is not what is expected.
   std::function<bool(std::string_view)> store;
   std::vector<std::string_view> choices = {};  ///< The words that are accepted, if few.
+  /// The word that would store what the target holds; empty when it holds nothing.
+  std::function<std::string()> show = {};
 };
 
 /// The largest side, count or number of bounces.
@@ -33,20 +35,32 @@ std::string DescribeRange(int64_t least, int64_t most);
 /// `std::optional` number.
 template <class Target>
 ArgValue Whole(std::string label, Target* target, int64_t least, int64_t most = kLargestCount) {
-  return {std::move(label), DescribeRange(least, most), [=](std::string_view text) {
-            const auto value = ParseInteger(text);
-            if (!value || *value < least || *value > most) return false;
-            if constexpr (requires { typename Target::value_type; }) {
-              *target = static_cast<typename Target::value_type>(*value);
-            } else {
-              *target = static_cast<Target>(*value);
-            }
-            return true;
-          }};
+  constexpr bool kIsOptional = requires {
+    typename Target::value_type;
+  };
+  const auto store = [=](std::string_view text) {
+    const auto value = ParseInteger(text);
+    if (!value || *value < least || *value > most) return false;
+    if constexpr (kIsOptional) {
+      *target = static_cast<typename Target::value_type>(*value);
+    } else {
+      *target = static_cast<Target>(*value);
+    }
+    return true;
+  };
+  const auto show = [=] {
+    if constexpr (kIsOptional) {
+      return *target ? std::to_string(**target) : std::string();
+    } else {
+      return std::to_string(*target);
+    }
+  };
+  return {std::move(label), DescribeRange(least, most), store, {}, show};
 }
 
 /// A number that is finite as a float.
 ArgValue Real(std::string label, float* target);
+ArgValue Real(std::string label, std::optional<float>* target);
 /// A number of at least 0.
 ArgValue NotNegative(std::string label, std::optional<double>* target);
 

@@ -18,14 +18,22 @@ namespace {
 /// A side of a picture. One that is too large is no mistake of spelling but one of size, which has
 /// an exit status of its own; so it is let through here, however many digits it has.
 ArgValue Side(std::string label, int64_t* target) {
-  return {std::move(label), DescribeRange(1, kLargestCount), [=](std::string_view text) {
-            const bool is_long =
-                text.size() > 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
-            const auto value = is_long ? std::numeric_limits<int64_t>::max() : ParseInteger(text);
-            if (!value || *value < 1) return false;
-            *target = *value;
-            return true;
-          }};
+  const auto store = [=](std::string_view text) {
+    const bool is_long =
+        text.size() > 18 && text.find_first_not_of("0123456789") == std::string_view::npos;
+    const auto value = is_long ? std::numeric_limits<int64_t>::max() : ParseInteger(text);
+    if (!value || *value < 1) return false;
+    *target = *value;
+    return true;
+  };
+  const auto show = [=] { return std::to_string(*target); };
+  return {std::move(label), DescribeRange(1, kLargestCount), store, {}, show};
+}
+
+/// The block of a scene that may set an option: the course's program keeps to its command line.
+ArgTraits InBlock(const ArgParser& parser, std::string_view block) {
+  if (parser.style() == ArgStyle::kCourse) return {};
+  return {.block = block};
 }
 
 /// A file that is written, and the option that asks for it.
@@ -80,16 +88,20 @@ void CommonOptions::AddPictures(ArgParser* parser) {
 
 void CommonOptions::AddFrame(ArgParser* parser) {
   parser->Option("size", {Side("W", &width_), Side("H", &height_)},
-                 fmt::format("pixels of the picture (default {} {})", width_, height_));
+                 fmt::format("pixels of the picture (default {} {})", width_, height_),
+                 InBlock(*parser, "Film"));
   parser->Flag("stretch", &request_.render.stretch,
                "show the field of view of the scene in both directions, with pixels that are not "
-               "square, instead of vertically");
+               "square, instead of vertically",
+               InBlock(*parser, "Film"));
 }
 
 void CommonOptions::AddLight(ArgParser* parser, std::string_view default_bounces) {
   parser->Option("bounces", {Whole("N", &request_.integrator_options.bounces, 0)},
-                 fmt::format("reflections after the camera ray (default {})", default_bounces));
-  parser->Flag("shadows", &request_.integrator_options.shadows, "let objects block lights");
+                 fmt::format("reflections after the camera ray (default {})", default_bounces),
+                 InBlock(*parser, "Render"));
+  parser->Flag("shadows", &request_.integrator_options.shadows, "let objects block lights",
+               InBlock(*parser, "Render"));
 }
 
 Result<void> CommonOptions::Finish(const ArgParser& parser) {

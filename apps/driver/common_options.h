@@ -25,12 +25,13 @@ class CommonOptions {
   /// Completes the request after a command line was read: size, window (the whole picture), depth.
   /// Checks that there is something to do.
   Result<void> Finish(const ArgParser& parser);
+  /// The size and the window alone, when the size has changed since.
+  Result<void> FinishSize(const ArgParser& parser);
   /// Finds the scene. Checks that no file is written twice or is the scene. Comes last, so that a
   /// wrong command line shows as one wherever it is used.
   Result<void> FinishFiles(const ArgParser& parser);
 
  private:
-  Result<void> FinishSize(const ArgParser& parser);
   Result<void> FinishDepth(const ArgParser& parser);
 
   RenderRequest& request_;

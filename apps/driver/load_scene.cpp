@@ -11,15 +11,18 @@
 
 namespace candela {
 
-Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path) {
+Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
+                                     const SettingsReader& read_settings, SceneSpec* resolved) {
   LoadedScene loaded;
   Diagnostics diagnostics;
   const Stopwatch load_clock;
   loaded.spec = LoadScene(path, &diagnostics);
+  const Result<void> are_read = read_settings(loaded.spec, &diagnostics);
   loaded.load_seconds = load_clock.Seconds();
+  if (!are_read && !diagnostics.HasErrors()) return are_read.error();
   // Also after errors, so that one run shows those of both.
   const Stopwatch build_clock;
-  loaded.scene = CompileScene(loaded.spec, &diagnostics);
+  loaded.scene = CompileScene(loaded.spec, &diagnostics, resolved);
   loaded.build_seconds = build_clock.Seconds();
   for (const std::string& line : diagnostics.Lines()) fmt::print(stderr, "{}\n", line);
   if (!loaded.scene) return Error{diagnostics.Code(), {}};

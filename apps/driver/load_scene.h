@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "scene/scene.h"
 #include "scene_spec/scene_spec.h"
@@ -18,8 +20,15 @@ struct LoadedScene {
   double build_seconds = 0;  ///< Compiling.
 };
 
+/// What a program makes of the settings in a scene, before it is compiled. What is wrong with them
+/// goes to the diagnostics; an error concerns the command line.
+using SettingsReader = std::function<Result<void>(const SceneSpec& spec, Diagnostics* diagnostics)>;
+
 /// Reads and compiles a scene and prints its errors and warnings on stderr. When there are errors,
-/// the one that is returned has no message: all has been said.
-Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path);
+/// the one that is returned has no message: all has been said. One of `read_settings` has.
+/// `resolved`, where it is not null, gets what `CompileScene` makes of it.
+Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
+                                     const SettingsReader& read_settings,
+                                     SceneSpec* resolved = nullptr);
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "driver/load_scene.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "kernel/isa.h"
@@ -48,7 +49,9 @@ struct RenderRequest {
 };
 
 /// Carries it out: checks the outputs, loads the scene, renders, writes. Prints messages to stderr,
-/// what was asked for to stdout, and returns the exit status of the program.
-int RunRender(const RenderRequest& request);
+/// what was asked for to stdout, and returns the exit status of the program. `read_settings` may
+/// complete the request by what the scene says about rendering; until it is called only the scene,
+/// the outputs and what concerns the machine have to be there.
+int RunRender(const RenderRequest& request, const SettingsReader& read_settings);
 
 }  // namespace candela

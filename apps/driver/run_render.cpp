@@ -39,7 +39,8 @@ auto Timed(double* seconds, Step step) {
 /// One run of a program that renders. Each step returns an error that ends it.
 class RenderRun {
  public:
-  explicit RenderRun(const RenderRequest& request) : request_(request) {}
+  RenderRun(const RenderRequest& request, const SettingsReader& read_settings)
+      : request_(request), read_settings_(read_settings) {}
 
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
@@ -80,7 +81,7 @@ class RenderRun {
   }
 
   Result<void> LoadScene() {
-    auto loaded = LoadSceneForUser(request_.scene);
+    auto loaded = LoadSceneForUser(request_.scene, read_settings_);
     if (!loaded) return loaded.error();
     loaded_ = *std::move(loaded);
     statistics_.seconds.load = loaded_->load_seconds;
@@ -211,16 +212,17 @@ class RenderRun {
   }
 
   const RenderRequest& request_;
+  const SettingsReader& read_settings_;
   std::optional<LoadedScene> loaded_;
   RenderStatistics statistics_;
 };
 
 }  // namespace
 
-int RunRender(const RenderRequest& request) {
+int RunRender(const RenderRequest& request, const SettingsReader& read_settings) {
   const ThreadLimit threads(request.threads);
   if (request.isa) ForceIsa(*request.isa);
-  const Result<void> done = RenderRun(request).Run();
+  const Result<void> done = RenderRun(request, read_settings).Run();
   if (done) return 0;
   // Without a message everything has been said.
   if (done.error().message.empty()) return static_cast<int>(done.error().code);

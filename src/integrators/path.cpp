@@ -92,9 +92,9 @@ Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
       return Error{
           ErrorCode::kInput,
           fmt::format(
-              "material {} has a Phong highlight, or reflects more light than it gets, which "
-              "the integrator 'path' does not know; 'whitted' does",
-              i)};
+              "{}: the material has a Phong highlight, or reflects more light than it gets, which "
+              "the integrator 'path' does not know; 'whitted' does, and so does it 'normalised'",
+              ToString(scene.PlaceOfMaterial(i)))};
     }
   }
   return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));

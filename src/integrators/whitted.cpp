@@ -85,8 +85,8 @@ WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool 
 
 Result<std::unique_ptr<Integrator>> WhittedIntegrator::Create(const Scene& scene,
                                                               const IntegratorOptions& options) {
-  return std::unique_ptr<Integrator>(
-      std::make_unique<WhittedIntegrator>(scene, options.bounces.value_or(0), options.shadows));
+  return std::unique_ptr<Integrator>(std::make_unique<WhittedIntegrator>(
+      scene, options.bounces.value_or(kUsualBounces), options.shadows));
 }
 
 std::unique_ptr<Workspace> WhittedIntegrator::MakeWorkspace() const {

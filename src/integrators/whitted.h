@@ -20,6 +20,9 @@ struct IntegratorOptions;
 /// then for the shadows of one light after the other, then go on along their mirrored rays.
 class WhittedIntegrator final : public Integrator {
  public:
+  /// Reflections where nobody says how many.
+  static constexpr uint32_t kUsualBounces = 0;
+
   WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows);
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);

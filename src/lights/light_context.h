@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/transform.h"
+#include "scene_spec/param_set.h"
 
 namespace candela {
 
@@ -8,6 +9,8 @@ namespace candela {
 struct LightContext {
   Transform world_from_node;
   bool has_object;  ///< Whether its node has an object, whose surface can shine.
+  /// Gets the parameters of the light, those included that are not given; may be null.
+  ParamSet* resolved = nullptr;
 };
 
 }  // namespace candela

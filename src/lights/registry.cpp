@@ -27,7 +27,7 @@ std::unique_ptr<Light> CreateLight(const TypedSpec& spec, const LightContext& co
                                    Diagnostics* diagnostics) {
   const LightEntry* entry = FindEntry<LightEntry>(kLights, spec, "light", diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, diagnostics, context.resolved);
   auto light = entry->create(&params, context);
   params.Finish();
   return light;

@@ -25,8 +25,12 @@ PhongMaterial::PhongMaterial(const PhongTerms& terms, bool is_normalised)
 std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params,
                                                 const MaterialContext& context) {
   std::unique_ptr<PhongMaterial> material(new PhongMaterial());
-  material->diffuse_ = ColorInput::Color(params, "diffuse", {1, 1, 1}, context);
+  // Without a colour lights find a white surface, but the ambient light a black one.
+  constexpr Rgb kWhite{1, 1, 1};
   material->has_ambient_ = params->Has("diffuse");
+  material->diffuse_ = material->has_ambient_
+                           ? ColorInput::Color(params, "diffuse", kWhite, context)
+                           : ColorInput(kWhite);
   material->specular_ = ColorInput::Color(params, "specular", {0, 0, 0}, context);
   material->shininess_ = params->Number("shininess", 0);
   material->is_normalised_ = params->Flag("normalised", false);

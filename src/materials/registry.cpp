@@ -39,7 +39,7 @@ std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, const MaterialCo
   const MaterialEntry* entry =
       FindEntry<MaterialEntry>(kMaterials, spec, "material", context.diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics, context.resolved);
   // The loader has taken these; a parameter that was meant as one of them is told so.
   for (const std::string_view name : {"type", "name"}) params.Has(name);
   auto material = OneSidedMaterial::Applied(entry->create(&params, context), &params);

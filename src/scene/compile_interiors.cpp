@@ -16,19 +16,21 @@ constexpr int64_t kGreatestPriority = 1000;
 
 class InteriorCompiler {
  public:
-  InteriorCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
-      : spec_(spec), diagnostics_(*diagnostics) {}
+  InteriorCompiler(const SceneSpec& spec, Diagnostics* diagnostics, SceneSpec* resolved)
+      : spec_(spec), diagnostics_(*diagnostics), resolved_(resolved) {}
 
   CompiledInteriors Compile() {
-    for (const MediumSpec& spec : spec_.media) {
-      ParamReader params(spec.params, "Medium", spec.where, &diagnostics_);
+    for (size_t i = 0; i < spec_.media.size(); ++i) {
+      const MediumSpec& spec = spec_.media[i];
+      ParamReader params(spec.params, "Medium", spec.where, &diagnostics_,
+                         resolved_ ? Emptied(&resolved_->media[i].params) : nullptr);
       const Medium medium = Medium::Create(&params, 1);
       params.Finish();
       medium_by_name_.try_emplace(spec.name, medium);
     }
     CompiledInteriors interiors;
-    for (const NodeSpec& node : spec_.nodes) {
-      interiors.of_node.push_back(node.interior ? InteriorOf(node) : std::nullopt);
+    for (size_t i = 0; i < spec_.nodes.size(); ++i) {
+      interiors.of_node.push_back(spec_.nodes[i].interior ? InteriorOf(i) : std::nullopt);
       if (interiors.of_node.back()) Add(interiors.of_node.back()->medium.ior, &interiors.indices);
     }
     if (!interiors.indices.empty()) Add(1, &interiors.indices);
@@ -36,14 +38,21 @@ class InteriorCompiler {
   }
 
  private:
+  static ParamSet* Emptied(ParamSet* resolved) {
+    resolved->params.clear();
+    return resolved;
+  }
+
   static void Add(float index, std::vector<float>* indices) {
     const bool is_there = std::find(indices->begin(), indices->end(), index) != indices->end();
     if (!is_there) indices->push_back(index);
   }
 
-  std::optional<Interior> InteriorOf(const NodeSpec& node) {
+  std::optional<Interior> InteriorOf(size_t index) {
+    const NodeSpec& node = spec_.nodes[index];
     const InteriorSpec& spec = *node.interior;
-    ParamReader params(spec.params, "Component<Interior>", spec.where, &diagnostics_);
+    ParamReader params(spec.params, "Component<Interior>", spec.where, &diagnostics_,
+                       resolved_ ? Emptied(&resolved_->nodes[index].interior->params) : nullptr);
     const std::string name = params.RequiredWord("medium");
     const auto medium = name.empty() ? std::nullopt : MediumNamed(name, params.Where("medium"));
     Interior interior;
@@ -87,13 +96,15 @@ class InteriorCompiler {
 
   const SceneSpec& spec_;
   Diagnostics& diagnostics_;
+  SceneSpec* resolved_;
   std::map<std::string_view, Medium> medium_by_name_;
 };
 
 }  // namespace
 
-CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics) {
-  return InteriorCompiler(spec, diagnostics).Compile();
+CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics,
+                                   SceneSpec* resolved) {
+  return InteriorCompiler(spec, diagnostics, resolved).Compile();
 }
 
 }  // namespace candela

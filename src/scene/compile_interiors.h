@@ -18,6 +18,8 @@ struct CompiledInteriors {
   std::vector<float> indices;
 };
 
-CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics);
+/// `resolved`, where it is not null, is a copy of the description that gets all parameters.
+CompiledInteriors CompileInteriors(const SceneSpec& spec, Diagnostics* diagnostics,
+                                   SceneSpec* resolved);
 
 }  // namespace candela

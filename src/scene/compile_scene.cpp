@@ -25,23 +25,27 @@ class SceneCompiler {
   /// Among more names than a person would read the search for a similar one would take its time.
   static constexpr size_t kMostSuggested = 1000;
 
-  SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics)
+  SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics, SceneSpec* resolved)
       : spec_(spec),
         diagnostics_(*diagnostics),
+        resolved_(resolved),
         scene_(new Scene(spec.camera)),
-        material_context_{{diagnostics, spec.folder,
-                           [this](std::string_view name, const SourceLocation& where) {
-                             return TextureNamed(name, where);
-                           }},
-                          [this](std::string_view name, const SourceLocation& where) {
-                            return PartNamed(name, where);
-                          },
-                          {}} {}
+        material_context_{
+            {diagnostics,
+             [this](const ParamWord& path) { return spec_.folder / spec_.PathInScene(path); },
+             [this](std::string_view name, const SourceLocation& where) {
+               return TextureNamed(name, where);
+             }},
+            [this](std::string_view name, const SourceLocation& where) {
+              return PartNamed(name, where);
+            }} {
+    if (resolved_) *resolved_ = spec;
+  }
 
   std::unique_ptr<Scene> Compile() {
     CompileBackground();
     CompileTextures();
-    node_interiors_ = CompileInteriors(spec_, &diagnostics_);
+    node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
     material_context_.indices = node_interiors_.indices;
     CompileMaterials();
     CompileNodes();
@@ -60,6 +64,13 @@ class SceneCompiler {
     SourceLocation where;  ///< For messages about it.
   };
 
+  /// The parameters of an object in the resolved description, to be filled; null without one.
+  static ParamSet* EmptyParams(TypedSpec* resolved) {
+    if (!resolved) return nullptr;
+    resolved->params.params.clear();
+    return &resolved->params;
+  }
+
   void CompileBackground() {
     const BackgroundSpec& background = spec_.background;
     scene_->background_.color = background.color;
@@ -76,7 +87,10 @@ class SceneCompiler {
   }
 
   void CompileTextures() {
-    for (const TextureSpec& spec : spec_.textures) {
+    for (size_t i = 0; i < spec_.textures.size(); ++i) {
+      const TextureSpec& spec = spec_.textures[i];
+      material_context_.resolved =
+          EmptyParams(resolved_ ? &resolved_->textures[i].texture : nullptr);
       auto texture = CreateTexture(spec.texture, material_context_);
       if (!spec.name.empty()) texture_by_name_.try_emplace(spec.name, texture);
       if (texture) scene_->textures_.push_back(std::move(texture));
@@ -103,32 +117,43 @@ class SceneCompiler {
   }
 
   void CompileMaterials() {
-    for (const MaterialSpec& material : spec_.materials) {
-      const auto index = static_cast<uint32_t>(scene_->materials_.size());
-      scene_->materials_.push_back(CreateMaterial(material.material, material_context_));
-      if (!material.name.empty()) material_by_name_.try_emplace(material.name, index);
+    for (size_t i = 0; i < spec_.materials.size(); ++i) {
+      const MaterialSpec& material = spec_.materials[i];
+      AddMaterial(material.material, resolved_ ? &resolved_->materials[i].material : nullptr);
+      if (!material.name.empty()) {
+        material_by_name_.try_emplace(material.name, static_cast<uint32_t>(i));
+      }
     }
+  }
+
+  void AddMaterial(const TypedSpec& spec, TypedSpec* resolved) {
+    material_context_.resolved = EmptyParams(resolved);
+    scene_->materials_.push_back(CreateMaterial(spec, material_context_));
+    scene_->material_places_.push_back(spec.where);
   }
 
   void CompileNodes() {
     std::vector<Mat4> world_from_node;
     world_from_node.reserve(spec_.nodes.size());
-    for (const NodeSpec& node : spec_.nodes) {
+    for (size_t i = 0; i < spec_.nodes.size(); ++i) {
+      const NodeSpec& node = spec_.nodes[i];
       const bool is_root = node.parent == NodeSpec::kNoParent;
       world_from_node.push_back(is_root ? node.parent_from_node
                                         : world_from_node[node.parent] * node.parent_from_node);
-      CompileNode(node, world_from_node.back());
+      CompileNode(node, world_from_node.back(), resolved_ ? &resolved_->nodes[i] : nullptr);
     }
   }
 
-  void CompileNode(const NodeSpec& node, const Mat4& world_from_node) {
-    const uint32_t light = node.light ? CompileLight(node, world_from_node) : SceneObject::kNoLight;
-    if (node.object) CompileObject(node, world_from_node, light);
+  void CompileNode(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
+    uint32_t light = SceneObject::kNoLight;
+    if (node.light) light = CompileLight(node, world_from_node, resolved);
+    if (node.object) CompileObject(node, world_from_node, light, resolved);
   }
 
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
-  uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node) {
-    const LightContext context{Transform(world_from_node), node.object.has_value()};
+  uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
+    const LightContext context{Transform(world_from_node), node.object.has_value(),
+                               EmptyParams(resolved ? &*resolved->light : nullptr)};
     auto light = CreateLight(*node.light, context, &diagnostics_);
     if (!light) return SceneObject::kNoLight;
     if (!IsFinite(context.world_from_node.Point({0, 0, 0}))) {
@@ -143,17 +168,19 @@ class SceneCompiler {
     return is_surface ? index : SceneObject::kNoLight;
   }
 
-  void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light) {
+  void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light,
+                     NodeSpec* resolved) {
     const TypedSpec& spec = *node.object;
     ShapeContext context{&diagnostics_, spec.where,
-                         [this](const std::string& path) {
-                           const auto found = spec_.meshes.find(path);
+                         [this](const ParamWord& path) {
+                           const auto found = spec_.meshes.find(spec_.PathInScene(path));
                            return found == spec_.meshes.end() ? nullptr : found->second;
                          },
-                         &made_of_meshes_};
+                         &made_of_meshes_, EmptyParams(resolved ? &*resolved->object : nullptr)};
     auto shape = CreateShape(spec, &context);
     const auto material = MaterialOf(node);
     if (!shape || !material) return;
+    if (resolved && !node.material) resolved->material = {{}, *material, spec.where};
 
     const SourceLocation& where =
         node.transform_where.line != 0 ? node.transform_where : spec.where;
@@ -259,7 +286,8 @@ class SceneCompiler {
       const TypedSpec plain{
           "phong", where, {{{"diffuse", where, {{"0.8", where}, {"0.8", where}, {"0.8", where}}}}}};
       default_material_ = static_cast<uint32_t>(scene_->materials_.size());
-      scene_->materials_.push_back(CreateMaterial(plain, material_context_));
+      if (resolved_) resolved_->materials.push_back({plain, {}, {}});
+      AddMaterial(plain, resolved_ ? &resolved_->materials.back().material : nullptr);
     }
     return *default_material_;
   }
@@ -329,6 +357,7 @@ class SceneCompiler {
 
   const SceneSpec& spec_;
   Diagnostics& diagnostics_;
+  SceneSpec* resolved_;
   std::unique_ptr<Scene> scene_;
   MaterialContext material_context_;
   std::map<std::string_view, std::shared_ptr<const Texture>> texture_by_name_;
@@ -353,14 +382,15 @@ std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
   for (const TextureSpec& texture : spec.textures) {
     const Param* file = texture.texture.params.Find("file");
     if (texture.texture.type == "image" && file && file->words.size() == 1) {
-      files.push_back(spec.folder / file->words[0].text);
+      files.push_back(spec.folder / spec.PathInScene(file->words[0]));
     }
   }
   return files;
 }
 
-std::unique_ptr<Scene> CompileScene(const SceneSpec& spec, Diagnostics* diagnostics) {
-  return SceneCompiler(spec, diagnostics).Compile();
+std::unique_ptr<Scene> CompileScene(const SceneSpec& spec, Diagnostics* diagnostics,
+                                    SceneSpec* resolved) {
+  return SceneCompiler(spec, diagnostics, resolved).Compile();
 }
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/source_location.h"
 #include "cameras/perspective_camera.h"
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
@@ -74,6 +75,8 @@ class Scene {
   const std::vector<std::unique_ptr<const Material>>& materials() const { return materials_; }
   /// What objects are filled with: different ones, each for any number of objects.
   const std::vector<Interior>& interiors() const { return interiors_; }
+  /// Where the scene file describes a material, for messages.
+  const SourceLocation& PlaceOfMaterial(size_t index) const { return material_places_[index]; }
 
   /// The box around all bounded objects.
   Bounds3 Bounds() const;
@@ -93,6 +96,7 @@ class Scene {
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
+  std::vector<SourceLocation> material_places_;
   std::vector<std::shared_ptr<const Texture>> textures_;
   std::vector<Interior> interiors_;
   SceneTree tree_;

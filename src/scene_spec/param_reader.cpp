@@ -35,8 +35,42 @@ bool IsOneOf(const std::vector<std::string_view>& names, std::string_view name) 
 }  // namespace
 
 ParamReader::ParamReader(const ParamSet& params, std::string_view object,
-                         const SourceLocation& where, Diagnostics* diagnostics)
-    : params_(params), object_(object), where_(where), diagnostics_(diagnostics) {}
+                         const SourceLocation& where, Diagnostics* diagnostics, ParamSet* resolved)
+    : params_(params),
+      object_(object),
+      where_(where),
+      diagnostics_(diagnostics),
+      resolved_(resolved) {}
+
+/// Keeps what a parameter turned out to be; the last time that it was asked for counts.
+void ParamReader::Note(std::string_view name, std::vector<ParamWord> words, bool is_path) {
+  if (!resolved_) return;
+  std::erase_if(resolved_->params, [&](const Param& param) { return param.name == name; });
+  resolved_->params.push_back({std::string(name), where_, std::move(words), is_path});
+}
+
+// Numbers are written with the fewest digits that give them back.
+float ParamReader::Noted(std::string_view name, float value) {
+  if (resolved_) Note(name, {{fmt::format("{}", value), where_}});
+  return value;
+}
+
+Vec2 ParamReader::Noted(std::string_view name, Vec2 value) {
+  if (resolved_) {
+    Note(name, {{fmt::format("{}", value.x), where_}, {fmt::format("{}", value.y), where_}});
+  }
+  return value;
+}
+
+Vec3 ParamReader::Noted(std::string_view name, Vec3 value) {
+  if (!resolved_) return value;
+  std::vector<ParamWord> words;
+  for (const float each : {value.x, value.y, value.z}) {
+    words.push_back({fmt::format("{}", each), where_});
+  }
+  Note(name, std::move(words));
+  return value;
+}
 
 void ParamReader::Error(SourceLocation where, std::string text) {
   diagnostics_->Error(std::move(where), std::move(text));
@@ -111,8 +145,8 @@ std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
   });
 }
 
-std::optional<std::string> ParamReader::OneWord(const Param& param) {
-  if (param.words.size() == 1) return param.words[0].text;
+std::optional<ParamWord> ParamReader::OneWord(const Param& param) {
+  if (param.words.size() == 1) return param.words[0];
   Error(param.words.empty() ? param.where : param.words[1].where,
         param.words.empty() ? fmt::format("'{}' expects a word, found nothing", param.name)
                             : fmt::format("'{}' expects one word, found {} behind {}", param.name,
@@ -121,72 +155,76 @@ std::optional<std::string> ParamReader::OneWord(const Param& param) {
 }
 
 float ParamReader::Number(std::string_view name, float default_value) {
-  return OneNumber(name, false, {"a number", IsAny}).value_or(default_value);
+  return Noted(name, OneNumber(name, false, {"a number", IsAny}).value_or(default_value));
 }
 
 float ParamReader::RequiredNumber(std::string_view name) {
-  return OneNumber(name, true, {"a number", IsAny}).value_or(0.0f);
+  return Noted(name, OneNumber(name, true, {"a number", IsAny}).value_or(0.0f));
 }
 
 float ParamReader::Positive(std::string_view name, float default_value) {
-  return OneNumber(name, false, {"a positive number", IsPositive}).value_or(default_value);
+  const NumberRule rule{"a positive number", IsPositive};
+  return Noted(name, OneNumber(name, false, rule).value_or(default_value));
 }
 
 float ParamReader::RequiredPositive(std::string_view name) {
-  return OneNumber(name, true, {"a positive number", IsPositive}).value_or(1.0f);
+  const NumberRule rule{"a positive number", IsPositive};
+  return Noted(name, OneNumber(name, true, rule).value_or(1.0f));
 }
 
 float ParamReader::NonNegative(std::string_view name, float default_value) {
-  return OneNumber(name, false, {"a number that is not negative", IsNonNegative})
-      .value_or(default_value);
+  const NumberRule rule{"a number that is not negative", IsNonNegative};
+  return Noted(name, OneNumber(name, false, rule).value_or(default_value));
 }
 
 float ParamReader::Fraction(std::string_view name, float default_value) {
-  return OneNumber(name, false, {"a number from 0 to 1", IsFraction}).value_or(default_value);
+  const NumberRule rule{"a number from 0 to 1", IsFraction};
+  return Noted(name, OneNumber(name, false, rule).value_or(default_value));
 }
 
 float ParamReader::RequiredAngle(std::string_view name) {
-  return OneNumber(name, true, {"an angle above 0 and below 180 degrees", IsAngle}).value_or(90.0f);
+  const NumberRule rule{"an angle above 0 and below 180 degrees", IsAngle};
+  return Noted(name, OneNumber(name, true, rule).value_or(90.0f));
 }
 
 Vec2 ParamReader::Pair(std::string_view name, Vec2 default_value) {
-  return ReadEach(name, false,
-                  [&](const Param& param) -> std::optional<Vec2> {
-                    std::array<float, 2> v;
-                    if (!ReadNumbers(param, {"two numbers", IsAny}, v)) return std::nullopt;
-                    return Vec2{v[0], v[1]};
-                  })
-      .value_or(default_value);
+  const auto value = ReadEach(name, false, [&](const Param& param) -> std::optional<Vec2> {
+    std::array<float, 2> v;
+    if (!ReadNumbers(param, {"two numbers", IsAny}, v)) return std::nullopt;
+    return Vec2{v[0], v[1]};
+  });
+  return Noted(name, value.value_or(default_value));
 }
 
 Vec3 ParamReader::Vector(std::string_view name, Vec3 default_value) {
-  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
+  const NumberRule rule{"three numbers", IsAny};
+  return Noted(name, ThreeNumbers(name, false, rule).value_or(default_value));
 }
 
 Vec3 ParamReader::RequiredVector(std::string_view name) {
-  return ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3());
+  return Noted(name, ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3()));
 }
 
 Vec3 ParamReader::RequiredDirection(std::string_view name) {
   const Vec3 value = ThreeNumbers(name, true, {"three numbers", IsAny}).value_or(Vec3{0, 0, 1});
-  if (value != Vec3()) return value;
+  if (value != Vec3()) return Noted(name, value);
   Error(Where(name),
         fmt::format("'{}' expects a direction: three numbers, not all of them 0", name));
   return {0, 0, 1};
 }
 
 Rgb ParamReader::Color(std::string_view name, Rgb default_value) {
-  return ThreeNumbers(name, false, {"three numbers", IsAny}).value_or(default_value);
+  return Vector(name, default_value);
 }
 
 Rgb ParamReader::NonNegativeColor(std::string_view name, Rgb default_value) {
   const NumberRule rule{"three numbers that are not negative", IsNonNegative};
-  return ThreeNumbers(name, false, rule).value_or(default_value);
+  return Noted(name, ThreeNumbers(name, false, rule).value_or(default_value));
 }
 
 Rgb ParamReader::Albedo(std::string_view name, Rgb default_value) {
   const NumberRule rule{"three numbers from 0 to 1", IsFraction};
-  return ThreeNumbers(name, false, rule).value_or(default_value);
+  return Noted(name, ThreeNumbers(name, false, rule).value_or(default_value));
 }
 
 float ParamReader::PositiveOrNamed(std::string_view name, std::span<const NamedNumber> names,
@@ -210,27 +248,56 @@ float ParamReader::PositiveOrNamed(std::string_view name, std::span<const NamedN
     const NumberRule rule{expected.c_str(), IsPositive};
     return ReadNumbers(param, rule, number) ? std::optional<float>(number[0]) : std::nullopt;
   });
-  return value.value_or(default_value);
+  return Noted(name, value.value_or(default_value));
+}
+
+size_t ParamReader::Choice(std::string_view name, std::span<const std::string_view> words,
+                           size_t default_value) {
+  const auto value = ReadEach(name, false, [&](const Param& param) -> std::optional<size_t> {
+    const std::optional<ParamWord> word = OneWord(param);
+    if (!word) return std::nullopt;
+    const auto found = std::find(words.begin(), words.end(), word->text);
+    if (found != words.end()) return static_cast<size_t>(found - words.begin());
+    Error(word->where, WrongWord(name, ListOf(words), word->text));
+    return std::nullopt;
+  });
+  const size_t choice = value.value_or(default_value);
+  Note(name, {{std::string(words[choice]), where_}});
+  return choice;
 }
 
 bool ParamReader::Flag(std::string_view name, bool default_value) {
-  return ReadEach(name, false,
-                  [&](const Param& param) -> std::optional<bool> {
-                    const std::optional<std::string> word = OneWord(param);
-                    if (!word) return std::nullopt;
-                    if (*word == "true" || *word == "false") return *word == "true";
-                    Error(param.words[0].where, WrongWord(name, "'true' or 'false'", *word));
-                    return std::nullopt;
-                  })
-      .value_or(default_value);
+  static constexpr std::string_view kWords[] = {"true", "false"};
+  return Choice(name, kWords, default_value ? 0 : 1) == 0;
+}
+
+ParamWord ParamReader::PlacedWord(std::string_view name, bool is_required) {
+  const auto word = ReadEach(name, is_required, [&](const Param& param) { return OneWord(param); });
+  return word.value_or(ParamWord{{}, where_});
 }
 
 std::string ParamReader::Word(std::string_view name) {
-  return ReadEach(name, false, [&](const Param& param) { return OneWord(param); }).value_or("");
+  ParamWord word = PlacedWord(name, false);
+  if (!word.text.empty()) Note(name, {word});
+  return std::move(word.text);
 }
 
 std::string ParamReader::RequiredWord(std::string_view name) {
-  return ReadEach(name, true, [&](const Param& param) { return OneWord(param); }).value_or("");
+  ParamWord word = PlacedWord(name, true);
+  Note(name, {word});
+  return std::move(word.text);
+}
+
+ParamWord ParamReader::Path(std::string_view name) {
+  ParamWord word = PlacedWord(name, false);
+  if (!word.text.empty()) Note(name, {word}, true);
+  return word;
+}
+
+ParamWord ParamReader::RequiredPath(std::string_view name) {
+  ParamWord word = PlacedWord(name, true);
+  Note(name, {word}, true);
+  return word;
 }
 
 bool ParamReader::IsTexture(std::string_view name) {
@@ -241,7 +308,10 @@ bool ParamReader::IsTexture(std::string_view name) {
 
 const ParamWord* ParamReader::TextureName(std::string_view name) {
   const Param& param = *params_.Find(name);
-  if (param.words.size() == 2) return &param.words[1];
+  if (param.words.size() == 2) {
+    Note(name, param.words);
+    return &param.words[1];
+  }
   Error(param.words[0].where, fmt::format("{} expects one name behind 'texture'", Quote(name)));
   return nullptr;
 }

@@ -26,13 +26,16 @@ struct NamedNumber {
 /// missing and what nobody asked for; the two together, since a misspelt name is both.
 ///
 /// The calls with a default return it when the parameter is missing; for the `Required` ones it is
-/// then wrong.
+/// then wrong. A default is what would be the same if it was written: where a parameter means
+/// something else when it is missing, `Has` tells, and it is not asked for.
 class ParamReader {
  public:
   /// `object` names what is read for messages, as in "is not used by 'sphere'". `where` is the
-  /// place of the object, for parameters that are missing. All arguments must outlive the reader.
+  /// place of the object, for parameters that are missing. `resolved`, where it is not null, gets
+  /// each parameter that is asked for, with the value that was returned. All arguments must outlive
+  /// the reader.
   ParamReader(const ParamSet& params, std::string_view object, const SourceLocation& where,
-              Diagnostics* diagnostics);
+              Diagnostics* diagnostics, ParamSet* resolved = nullptr);
 
   float Number(std::string_view name, float default_value);
   float RequiredNumber(std::string_view name);
@@ -66,6 +69,13 @@ class ParamReader {
   /// One word or path, as written; empty when it is missing or wrong.
   std::string Word(std::string_view name);
   std::string RequiredWord(std::string_view name);
+  /// The place of one of `words` in their list.
+  size_t Choice(std::string_view name, std::span<const std::string_view> words,
+                size_t default_value);
+  /// One path with its place, as `SceneSpec::PathInScene` takes it; empty when it is missing or
+  /// wrong.
+  ParamWord Path(std::string_view name);
+  ParamWord RequiredPath(std::string_view name);
 
   /// Whether a texture stands in place of the value, as in `diffuse texture wood`.
   bool IsTexture(std::string_view name);
@@ -98,7 +108,12 @@ class ParamReader {
   std::optional<float> OneNumber(std::string_view name, bool is_required, const NumberRule& rule);
   std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required, const NumberRule& rule);
   bool ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values);
-  std::optional<std::string> OneWord(const Param& param);
+  std::optional<ParamWord> OneWord(const Param& param);
+  ParamWord PlacedWord(std::string_view name, bool is_required);
+  void Note(std::string_view name, std::vector<ParamWord> words, bool is_path = false);
+  float Noted(std::string_view name, float value);
+  Vec2 Noted(std::string_view name, Vec2 value);
+  Vec3 Noted(std::string_view name, Vec3 value);
   void ReportUnused(const Param& param);
   void ReportMissing();
 
@@ -106,6 +121,7 @@ class ParamReader {
   std::string_view object_;
   const SourceLocation& where_;
   Diagnostics* diagnostics_;
+  ParamSet* resolved_;
   std::vector<std::string_view> known_;
   std::vector<std::string_view> missing_;
   std::vector<Shortage> shortages_;

@@ -19,6 +19,7 @@ struct Param {
   std::string name;
   SourceLocation where;
   std::vector<ParamWord> words;
+  bool is_path = false;  ///< Known once the parameter was asked for.
 };
 
 /// The parameters of one object in the order they were written. A name may repeat; the last one

@@ -30,10 +30,10 @@ struct CameraSpec {
 struct BackgroundSpec {
   Rgb color;
   Rgb ambient_light;
-  /// Folder with the six faces, as written; replaces `color`.
+  /// Folder with the six faces, relative to that of the scene; replaces `color`.
   std::string cube_map;
   SourceLocation cube_map_where;
-  /// A picture in longitude and latitude, as written; replaces `color` too.
+  /// A picture in longitude and latitude, relative to the folder too; replaces `color` too.
   std::string environment;
   SourceLocation environment_where;
   float environment_scale = 1;           ///< Multiplies its radiance; not negative.
@@ -88,13 +88,23 @@ struct NodeSpec {
   std::optional<InteriorSpec> interior;
 };
 
+/// A block of parameters as it was read: what they are called and may be is for those to know who
+/// use it.
+struct BlockSpec {
+  ParamSet params;
+  SourceLocation where;  ///< Of the last such block.
+  bool is_given = false;
+};
+
 /// A scene as its file describes it: plain, editable data without meaning beyond its grammar.
 /// `CompileScene` makes a `Scene` of it.
 struct SceneSpec {
-  std::filesystem::path folder;  ///< Paths in the scene are relative to it.
+  std::filesystem::path folder;  ///< Where the scene lies; see `PathInScene`.
   SourceLocation file;           ///< The file as a whole, for messages.
   CameraSpec camera;
   BackgroundSpec background;
+  /// How the scene is meant to be rendered, for programs that let scenes say so.
+  BlockSpec render, film;
   /// In the order of the file, in which a texture may use those above it.
   std::vector<TextureSpec> textures;
   /// As `materials_are_damaged`.
@@ -106,12 +116,16 @@ struct SceneSpec {
   std::vector<MediumSpec> media;
   /// As `materials_are_damaged`.
   bool media_are_damaged = false;
+  /// A path that stands in the scene or in a file that it includes, relative to `folder`: paths are
+  /// meant relative to the file in which they stand. Absolute ones and the empty one stay.
+  std::string PathInScene(const ParamWord& path) const;
+
   /// The hierarchy in the order of the file: each node after its parent. The first is the root.
   std::vector<NodeSpec> nodes;
-  /// The meshes by their paths as written; null when one could not be read, which was reported.
+  /// The meshes by `PathInScene`; null when one could not be read, which was reported.
   /// Paths that mean the same file share one mesh.
   std::map<std::string, std::shared_ptr<const MeshSpec>> meshes;
-  /// The files that were read, the one of the scene first.
+  /// The files that were read, the one of the scene first, then those that it includes.
   std::vector<std::filesystem::path> files;
 };
 

@@ -16,8 +16,8 @@ Vec3 UnitOrZero(Vec3d v) {
 }  // namespace
 
 std::shared_ptr<const Shape> Mesh::Create(ParamReader* params, ShapeContext* context) {
-  const std::string path = params->RequiredWord("obj_file");
-  auto spec = path.empty() ? nullptr : context->find_mesh(path);
+  const ParamWord path = params->RequiredPath("obj_file");
+  auto spec = path.text.empty() ? nullptr : context->find_mesh(path);
   if (!spec) return nullptr;
   std::shared_ptr<const Shape>& mesh = (*context->made_of_meshes)[spec];
   if (!mesh) mesh = std::make_shared<Mesh>(std::move(spec));

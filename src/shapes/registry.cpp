@@ -30,7 +30,7 @@ std::span<const ShapeEntry> ShapeEntries() {
 std::shared_ptr<const Shape> CreateShape(const TypedSpec& spec, ShapeContext* context) {
   const ShapeEntry* entry = FindEntry<ShapeEntry>(kShapes, spec, "shape", context->diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, context->diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, context->diagnostics, context->resolved);
   auto shape = entry->create(&params, context);
   params.Finish();
   return shape;

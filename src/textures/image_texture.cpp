@@ -52,31 +52,21 @@ Result<Image> ReadForLookup(const std::filesystem::path& path, std::vector<std::
   return image;
 }
 
-/// Which of the words the parameter is; the first when it is missing or wrong, which is reported.
-size_t Choice(ParamReader* params, std::string_view name, std::vector<std::string_view> words) {
-  if (!params->Has(name)) return 0;
-  const std::string word = params->Word(name);
-  const auto found = std::find(words.begin(), words.end(), word);
-  if (found != words.end()) return static_cast<size_t>(found - words.begin());
-  if (!word.empty()) params->Error(params->Where(name), WrongWord(name, ListOf(words), word));
-  return 0;
-}
+constexpr std::string_view kEncodings[] = {"srgb", "linear"};
+constexpr std::string_view kWraps[] = {"repeat", "mirror", "clamp"};
 
 }  // namespace
 
 std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
                                                     const TextureContext& context) {
-  const std::string name = params->RequiredWord("file");
-  const SourceLocation asked = params->Where("file");
-  const std::filesystem::path path = context.folder / name;
+  const ParamWord name = params->RequiredPath("file");
+  const std::filesystem::path path = context.find_file(name);
   // Eight bits are made for eyes, and so for the curve; the others hold light.
   const bool is_png = FormatOf(path).value_or(ImageFormat::kPng) == ImageFormat::kPng;
-  const bool has_encoding = params->Has("encoding");
-  const size_t encoding = Choice(params, "encoding", {"srgb", "linear"});
-  const bool is_srgb = has_encoding ? encoding == 0 : is_png;
-  const auto wrap = static_cast<Wrap>(Choice(params, "wrap", {"repeat", "mirror", "clamp"}));
+  const bool is_srgb = params->Choice("encoding", kEncodings, is_png ? 0 : 1) == 0;
+  const auto wrap = static_cast<Wrap>(params->Choice("wrap", kWraps, 0));
   const UvTransform transform = UvTransform::Create(params);
-  if (name.empty()) return nullptr;
+  if (name.text.empty()) return nullptr;
 
   std::vector<std::string> warnings;
   const Result<Image> image = ReadForLookup(path, &warnings);
@@ -84,7 +74,7 @@ std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
   for (std::string& warning : warnings) context.diagnostics->Warning(file, std::move(warning));
   if (!image) {
     context.diagnostics->Error(
-        asked, fmt::format("texture {}: {}", Quote(path.string()), image.error().message),
+        name.where, fmt::format("texture {}: {}", Quote(path.string()), image.error().message),
         image.error().code);
     return nullptr;
   }

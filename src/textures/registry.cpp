@@ -25,7 +25,7 @@ std::shared_ptr<const Texture> CreateTexture(const TypedSpec& spec, const Textur
   const TextureEntry* entry =
       FindEntry<TextureEntry>(kTextures, spec, "texture", context.diagnostics);
   if (!entry) return nullptr;
-  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics);
+  ParamReader params(spec.params, entry->name, spec.where, context.diagnostics, context.resolved);
   // The loader has taken these; a parameter that was meant as one of them is told so.
   for (const std::string_view name : {"type", "name"}) params.Has(name);
   auto texture = entry->create(&params, context);

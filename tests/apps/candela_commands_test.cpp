@@ -124,7 +124,9 @@ TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
                                            "ambient     0 0 0.125\n"
                                            "bounds      "));
   EXPECT_THAT(end.out, HasSubstr("\ncamera      at 0 0 5, direction 0 0 -1, up 0 1 0, 40 degrees\n"
-                                 "tree        "));
+                                 "render      integrator whitted, "));
+  EXPECT_THAT(end.out, HasSubstr("\nfilm        tonemap none, size 800 800, "));
+  EXPECT_THAT(end.out, HasSubstr("\ntree        "));
   EXPECT_THAT(end.out, HasSubstr("\nmemory      "));
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,12 +58,13 @@ void Write(const fs::path& path, const std::string& text) {
 }
 
 void Run(const fs::path& document, const fs::path& out) {
+  std::map<std::string, std::string> changed;  // A file may be changed in several places.
   for (const FencedBlock& block : FencedBlocks(ReadDocument(document))) {
     const std::string path = block.Argument();
     if (path.empty()) continue;
     if (block.Language() == "cpp") Write(out / path, block.text);
     if (block.Language() == "diff") {
-      std::string text = ReadDocument(path);
+      std::string& text = changed.try_emplace(path, ReadDocument(path)).first->second;
       ApplyDiff(block.text, &text);
       Write(out / path, text);
     }

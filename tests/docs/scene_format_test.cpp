@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "scene/compile_scene.h"
 #include "shapes/registry.h"
 #include "tests/docs/markdown.h"
+#include "tests/docs/scene_examples.h"
+#include "tests/support/program.h"
+#include "tests/support/temp_folder.h"
 #include "textures/registry.h"
 
 namespace candela::docs {
@@ -24,39 +28,21 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr const char* kManual = "docs/scene-format.md";
-// The examples name meshes and a cube map that ship with the project.
-constexpr const char* kFolder = "assets/assignment4";
-
-constexpr const char* kCamera = "Camera { center 0 0 10  direction 0 0 -1  up 0 1 0  fov 30 }\n";
-constexpr const char* kMaterials = "Materials { Material { diffuse 1 1 1 } }\n";
-
-/// The whole scene that an example stands for; empty for blocks that are no scene.
-std::string SceneOf(const FencedBlock& block) {
-  const std::string kind = block.Language();
-  if (kind == "scene") return block.text;
-  if (kind == "node") return fmt::format("{}{}Scene {{\n{}}}\n", kCamera, kMaterials, block.text);
-  if (kind == "section") {
-    return block.text.starts_with("Camera") ? block.text + "Scene {}"
-                                            : kCamera + block.text + "Scene {}";
-  }
-  return {};
-}
 
 std::vector<std::string> LinesAbout(const std::string& scene) {
   Diagnostics diagnostics;
   const auto name = std::make_shared<const std::string>("scene.txt");
-  const SceneSpec spec = ParseScene(name, scene, kFolder, &diagnostics);
+  const SceneSpec spec = ParseScene(name, scene, kExampleFolder, &diagnostics);
   if (!diagnostics.HasErrors()) CompileScene(spec, &diagnostics);
   return diagnostics.Lines();
 }
 
 TEST(SceneFormat, ExamplesCompileWithoutAWord) {
   size_t count = 0;
-  for (const FencedBlock& block : FencedBlocks(ReadDocument(kManual))) {
-    const std::string scene = SceneOf(block);
-    if (scene.empty() || block.Argument() == "wrong") continue;
-    SCOPED_TRACE(fmt::format("{}:{}", kManual, block.line));
-    EXPECT_THAT(LinesAbout(scene), IsEmpty());
+  for (const SceneExample& example : SceneExamples()) {
+    if (example.is_wrong) continue;
+    SCOPED_TRACE(fmt::format("{}:{}", kManual, example.line));
+    EXPECT_THAT(LinesAbout(example.text), IsEmpty());
     ++count;
   }
   EXPECT_GE(count, 14u);
@@ -64,14 +50,43 @@ TEST(SceneFormat, ExamplesCompileWithoutAWord) {
 
 // A wrong scene is followed by a block with what is said about it.
 TEST(SceneFormat, MessagesAreThoseOfTheParser) {
-  const std::vector<FencedBlock> blocks = FencedBlocks(ReadDocument(kManual));
   size_t count = 0;
-  for (size_t i = 0; i + 1 < blocks.size(); ++i) {
-    if (blocks[i].Argument() != "wrong") continue;
-    EXPECT_EQ(fmt::format("{}\n", fmt::join(LinesAbout(blocks[i].text), "\n")), blocks[i + 1].text);
+  for (const SceneExample& example : SceneExamples()) {
+    if (!example.is_wrong) continue;
+    EXPECT_EQ(fmt::format("{}\n", fmt::join(LinesAbout(example.text), "\n")), example.messages);
     ++count;
   }
   EXPECT_EQ(count, 1u);
+}
+
+// What the program knows and the parser does not.
+TEST(SceneFormat, SettingsAreThoseOfTheProgram) {
+  const testing_support::TempFolder folder;
+  size_t count = 0;
+  for (const SceneExample& example : SceneExamples()) {
+    if (example.text.find("Render {") == std::string::npos) continue;
+    testing_support::Put(folder / "scene.txt", example.text);
+    const auto end =
+        testing_support::RunProgram(CANDELA_PROGRAM, {"check", (folder / "scene.txt").string()});
+    EXPECT_EQ(end.err, "") << kManual << ":" << example.line;
+    EXPECT_EQ(end.status, 0);
+    ++count;
+  }
+  EXPECT_GE(count, 1u);
+}
+
+TEST(SceneFormat, TheExampleOfSeveralFilesIsAScene) {
+  const testing_support::TempFolder folder;
+  std::filesystem::create_directory(folder / "parts");
+  for (const FencedBlock& block : FencedBlocks(ReadDocument(kManual))) {
+    if (block.Language() == "part") testing_support::Put(folder / block.Argument(), block.text);
+    if (block.Argument() == "included") testing_support::Put(folder / "scene.txt", block.text);
+  }
+  Diagnostics diagnostics;
+  const SceneSpec spec = LoadScene(folder / "scene.txt", &diagnostics);
+  CompileScene(spec, &diagnostics);
+  EXPECT_THAT(diagnostics.Lines(), IsEmpty());
+  EXPECT_EQ(spec.files.size(), 3u);
 }
 
 TEST(SceneFormat, EverythingThatScenesMayNameHasItsHeadline) {

@@ -93,7 +93,8 @@ TEST(Path, RefusesMaterialsThatAreNotPhysical) {
   const auto integrator = CreateIntegrator("path", *scene, {});
   ASSERT_FALSE(integrator.ok());
   EXPECT_EQ(integrator.error().code, ErrorCode::kInput);
-  EXPECT_THAT(integrator.error().message, HasSubstr("material 1 has a Phong highlight"));
+  EXPECT_THAT(integrator.error().message,
+              HasSubstr("scene:3:1: the material has a Phong highlight"));
 }
 
 /// A triangle in z = -2 whose shading normals lean 45 degrees towards +x.

@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "tests/malformed/malformed_set.h"
 #include "tests/support/program.h"
+#include "tests/support/temp_folder.h"
 
 namespace candela {
 namespace {
@@ -15,7 +18,13 @@ TEST(MalformedProgram, SaysAndReturnsWhatIsExpected) {
     setup.folder = path.parent_path();
     const auto end =
         testing_support::RunProgram(CANDELA_PROGRAM, {"check", path.filename()}, setup);
-    EXPECT_EQ(fmt::format("{}exit {}\n", end.err, end.status), ExpectedOutput(scene)) << scene;
+    const std::string output = fmt::format("{}exit {}\n", end.err, end.status);
+    // As in malformed_test.
+    const bool is_setting = scene.starts_with("settings/");
+    if (is_setting && std::getenv("CANDELA_WRITE_EXPECTED")) {
+      testing_support::Put(MalformedSet() / (scene + ".expected"), output);
+    }
+    EXPECT_EQ(output, ExpectedOutput(scene)) << scene;
     // A sound scene is summed up on stdout, a broken one is not.
     EXPECT_EQ(end.out.empty(), end.status != 0) << scene;
   }

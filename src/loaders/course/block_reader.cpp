@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "loaders/course/block_words.h"
@@ -53,13 +54,38 @@ bool BlockReader::OpenBlock(const Token& opener) {
 
 Token BlockReader::NextItem(const Token* opener, std::span<const std::string_view> accepted) {
   // What follows a word that was reported belongs to the same mistake.
-  for (bool is_reported = false;; is_reported = true) {
-    if (opener && (tokens_.Peek().IsEnd() || (tokens_.PeekSecond().IsOpenBrace() &&
-                                              IsOneOf(kSectionWords, tokens_.Peek().text)))) {
+  bool is_reported = false;
+  while (true) {
+    if (tokens_.Peek().IsWord() && tokens_.Peek().text == kInclude) {
+      is_reported = !tokens_.Include(tokens_.Next(), opener);
+      continue;
+    }
+    const bool is_outside = tokens_.IsIncludedIn(opener);  // The list was opened in another file.
+    if (is_outside && tokens_.Peek().IsEnd()) {
+      tokens_.Leave();
+      is_reported = false;
+      continue;
+    }
+    if (opener && !is_outside && tokens_.Peek().IsEnd()) {
+      EndsWithoutBrace(*opener);
+      // The file that included this one goes on behind it, and has its own braces.
+      Token end = tokens_.Peek();
+      if (tokens_.IsIncluded()) end.kind = Token::Kind::kCloseBrace;
+      return end;
+    }
+    if (opener && !is_outside && tokens_.PeekSecond().IsOpenBrace() &&
+        IsOneOf(kSectionWords, tokens_.Peek().text)) {
       EndsWithoutBrace(*opener);
       return {};
     }
     Token token = tokens_.Next();
+    if (is_outside && token.IsCloseBrace()) {
+      diagnostics_.Warning(tokens_.Where(token), "this closing brace closes nothing");
+      continue;
+    }
+    // Where an included file ends in another list than it began in, braces are wrong, and what the
+    // other files have left is not read.
+    has_skipped_section_ = has_skipped_section_ || (token.IsEnd() && tokens_.IsIncluded());
     if (token.IsEnd() || token.IsCloseBrace() || IsOneOf(accepted, token.text)) return token;
 
     const bool has_block = token.IsWord() && tokens_.Peek().IsOpenBrace();
@@ -68,10 +94,13 @@ Token BlockReader::NextItem(const Token* opener, std::span<const std::string_vie
     const bool is_mended = has_block && nearest;
     if (is_mended || !is_reported) {
       diagnostics_.Error(tokens_.Where(token), [&] {
-        return fmt::format("{} is due, found {}{}", ListOf(accepted), Describe(token),
-                           nearest ? DidYouMean(token.text, accepted) : std::string());
+        std::vector<std::string_view> words(accepted.begin(), accepted.end());
+        words.push_back(kInclude);
+        return fmt::format("{} is due, found {}{}", ListOf(words), Describe(token),
+                           IsBlockWord(token.text) ? "" : DidYouMean(token.text, words));
       });
     }
+    is_reported = true;
     if (is_mended) {
       token.text = *nearest;
       return token;

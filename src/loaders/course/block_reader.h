@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
-#include "loaders/text/tokenizer.h"
+#include "loaders/course/scene_text.h"
 #include "scene_spec/param_set.h"
 
 namespace candela {
@@ -23,7 +23,7 @@ class BlockReader {
   /// Whether `texture` behind the name of a parameter announces the name of one.
   enum class Textures { kNone, kByName };
 
-  BlockReader(Tokenizer* tokens, Diagnostics* diagnostics)
+  BlockReader(SceneText* tokens, Diagnostics* diagnostics)
       : tokens_(*tokens), diagnostics_(*diagnostics) {}
 
   /// Takes the opening brace that has to follow `opener`. When it is missing that is reported, and
@@ -31,7 +31,8 @@ class BlockReader {
   bool OpenBlock(const Token& opener);
 
   /// The next token in a list of blocks that begin with the words `accepted`: such a word, a
-  /// closing brace, or the end. Other words are reported and never returned. `opener` is the word
+  /// closing brace, or the end. Other words are reported and never returned, and where a file is
+  /// included, its blocks are taken as if they stood there. `opener` is the word
   /// that began the list, null on the top level; when the file ends in it, or a section of the
   /// scene begins, that is reported too, and for the list it is the end.
   Token NextItem(const Token* opener, std::span<const std::string_view> accepted);
@@ -51,7 +52,7 @@ class BlockReader {
   void NoParam();
   void SkipBlock();
 
-  Tokenizer& tokens_;
+  SceneText& tokens_;
   Diagnostics& diagnostics_;
   bool is_cut_short_ = false;
   bool has_skipped_section_ = false;

@@ -3,22 +3,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <system_error>
 
+#include "loaders/course/place_of.h"
 #include "loaders/obj/obj_reader.h"
 
 namespace candela {
 namespace fs = std::filesystem;
-namespace {
-
-/// The place of the file behind links and detours; the path as it is when it cannot be followed.
-fs::path PlaceOf(const fs::path& path) {
-  std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
-  return error ? path : place;
-}
-
-}  // namespace
 
 void LoadMeshes(SceneSpec* spec, Diagnostics* diagnostics) {
   std::map<fs::path, std::shared_ptr<const MeshSpec>> by_file;
@@ -27,10 +17,11 @@ void LoadMeshes(SceneSpec* spec, Diagnostics* diagnostics) {
     const Param* param = node.object->params.Find("obj_file");
     if (!param || param->words.size() != 1) continue;  // Reported when the mesh is compiled.
     const ParamWord& name = param->words[0];
-    const auto [mesh, is_new_name] = spec->meshes.try_emplace(name.text);
+    const std::string in_scene = spec->PathInScene(name);
+    const auto [mesh, is_new_name] = spec->meshes.try_emplace(in_scene);
     if (!is_new_name) continue;
 
-    const fs::path path = spec->folder / name.text;
+    const fs::path path = spec->folder / in_scene;
     const auto [loaded, is_new_file] = by_file.try_emplace(PlaceOf(path));
     if (is_new_file) {
       loaded->second = LoadObj(path, name.where, diagnostics);

@@ -5,7 +5,7 @@
 
 #include "base/diagnostics.h"
 #include "loaders/course/block_reader.h"
-#include "loaders/text/tokenizer.h"
+#include "loaders/course/scene_text.h"
 #include "scene_spec/scene_spec.h"
 
 namespace candela {
@@ -13,7 +13,7 @@ namespace candela {
 /// Reads the body of a `Scene` block: the tree of nodes, as a flat list with the root first.
 class NodeParser {
  public:
-  NodeParser(Tokenizer* tokens, BlockReader* blocks, Diagnostics* diagnostics)
+  NodeParser(SceneText* tokens, BlockReader* blocks, Diagnostics* diagnostics)
       : tokens_(*tokens), blocks_(*blocks), diagnostics_(*diagnostics) {}
 
   std::vector<NodeSpec> Parse(const Token& scene);
@@ -26,7 +26,7 @@ class NodeParser {
   TypedSpec ParseTyped(const Token& word);
   void WarnIfReplaced(bool is_replaced, const Token& word);
 
-  Tokenizer& tokens_;
+  SceneText& tokens_;
   BlockReader& blocks_;
   Diagnostics& diagnostics_;
 };

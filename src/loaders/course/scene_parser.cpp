@@ -13,32 +13,28 @@
 #include "loaders/course/block_words.h"
 #include "loaders/course/load_meshes.h"
 #include "loaders/course/node_parser.h"
+#include "loaders/course/scene_text.h"
 #include "loaders/course/typed_block.h"
 #include "loaders/text/nul_check.h"
-#include "loaders/text/tokenizer.h"
 #include "scene_spec/param_reader.h"
 
 namespace candela {
 namespace {
 
-/// A section whose blocks add to each other: a later value replaces an earlier one.
-struct Section {
-  ParamSet params;
-  SourceLocation where;
-  bool is_given = false;
-};
-
 class Parser {
  public:
   Parser(std::shared_ptr<const std::string> file, std::string_view text,
          const std::filesystem::path& folder, Diagnostics* diagnostics)
-      : tokens_(file, text), blocks_(&tokens_, diagnostics), diagnostics_(*diagnostics) {
+      : tokens_(file, text, folder, diagnostics),
+        blocks_(&tokens_, diagnostics),
+        diagnostics_(*diagnostics) {
     scene_.file.file = std::move(file);
     scene_.folder = folder;
   }
 
   SceneSpec Parse() {
     for (Token word = NextSection(); !word.IsEnd(); word = NextSection()) ParseSection(word);
+    scene_.files = tokens_.included();
     // Materials that nobody can find may be what was not understood.
     if (!have_materials_ && diagnostics_.HasErrors()) scene_.materials_are_damaged = true;
     if (!have_textures_ && diagnostics_.HasErrors()) scene_.textures_are_damaged = true;
@@ -65,6 +61,10 @@ class Parser {
       ParseParams(word, &camera_);
     } else if (word.text == "Background") {
       ParseParams(word, &background_);
+    } else if (word.text == "Render") {
+      ParseParams(word, &scene_.render);
+    } else if (word.text == "Film") {
+      ParseParams(word, &scene_.film);
     } else if (word.text == "Materials") {
       WarnIfRepeated(have_materials_, word);
       have_materials_ = true;
@@ -89,7 +89,8 @@ class Parser {
                          fmt::format("a second block {}; the last one counts", Quote(word.text)));
   }
 
-  void ParseParams(const Token& word, Section* section) {
+  /// Blocks of one section add to each other: a later value replaces an earlier one.
+  void ParseParams(const Token& word, BlockSpec* section) {
     WarnIfRepeated(section->is_given, word);
     section->is_given = true;
     section->where = tokens_.Where(word);
@@ -182,8 +183,10 @@ class Parser {
       const NamedSpec* first = by_name.try_emplace(each.name, &each).first->second;
       if (first == &each) continue;
       diagnostics_.Error(each.name_where, [&] {
-        return fmt::format("a {} named {} stands in line {} already", kind, Quote(each.name),
-                           first->name_where.line);
+        const bool is_beside = first->name_where.file == each.name_where.file;
+        return fmt::format("a {} named {} stands in {} already", kind, Quote(each.name),
+                           is_beside ? fmt::format("line {}", first->name_where.line)
+                                     : ToString(first->name_where));
       });
     }
   }
@@ -236,7 +239,7 @@ class Parser {
     BackgroundSpec& background = scene_.background;
     background.color = reader.Color("color", {0, 0, 0});
     background.ambient_light = reader.Color("ambient_light", {0, 0, 0});
-    background.cube_map = reader.Word("cube_map");
+    background.cube_map = scene_.PathInScene(reader.Path("cube_map"));
     background.cube_map_where = reader.Where("cube_map");
     ReadEnvironment(&reader);
     reader.Finish();
@@ -244,7 +247,7 @@ class Parser {
 
   void ReadEnvironment(ParamReader* reader) {
     BackgroundSpec& background = scene_.background;
-    background.environment = reader->Word("environment");
+    background.environment = scene_.PathInScene(reader->Path("environment"));
     background.environment_where = reader->Where("environment");
     background.environment_scale = reader->NonNegative("scale", 1);
     background.environment_rotate_degrees = reader->Number("rotate", 0);
@@ -260,11 +263,11 @@ class Parser {
     }
   }
 
-  Tokenizer tokens_;
+  SceneText tokens_;
   BlockReader blocks_;
   Diagnostics& diagnostics_;
   SceneSpec scene_;
-  Section camera_, background_;
+  BlockSpec camera_, background_;
   bool have_materials_ = false, have_textures_ = false, have_media_ = false;
 };
 

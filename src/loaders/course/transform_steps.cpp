@@ -16,16 +16,34 @@ namespace {
 struct Step {
   std::string_view name;
   size_t count;  ///< Of its numbers.
-  Mat4 (*matrix)(const Vec3d& numbers);
+  const char* expected;
+  Mat4 (*matrix)(const double* numbers);
 };
 
+Vec3d VectorOf(const double* v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// Three rows of four numbers; the fourth row is that of all affine transforms.
+Mat4 MatrixOf(const double* v) {
+  Mat4 m = Mat4::Identity();
+  for (size_t i = 0; i < 12; ++i) m.m[i / 4][i % 4] = v[i];
+  return m;
+}
+
+constexpr const char* kThree = "three numbers";
+constexpr const char* kAngle = "an angle in degrees";
+
 constexpr Step kSteps[] = {
-    {"translate", 3, [](const Vec3d& v) { return Mat4::Translate(v); }},
-    {"scale", 3, [](const Vec3d& v) { return Mat4::Scale(v); }},
-    {"x_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(0, v.x); }},
-    {"y_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(1, v.x); }},
-    {"z_rotate", 1, [](const Vec3d& v) { return Mat4::Rotate(2, v.x); }},
+    {"translate", 3, kThree, [](const double* v) { return Mat4::Translate(VectorOf(v)); }},
+    {"scale", 3, kThree, [](const double* v) { return Mat4::Scale(VectorOf(v)); }},
+    {"x_rotate", 1, kAngle, [](const double* v) { return Mat4::Rotate(0, v[0]); }},
+    {"y_rotate", 1, kAngle, [](const double* v) { return Mat4::Rotate(1, v[0]); }},
+    {"z_rotate", 1, kAngle, [](const double* v) { return Mat4::Rotate(2, v[0]); }},
+    {"matrix", 12, "three rows of four numbers", MatrixOf},
 };
+
+constexpr size_t kMostNumbers = 12;
 
 constexpr auto kNames = [] {
   std::array<std::string_view, std::size(kSteps)> names;
@@ -59,31 +77,33 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
       ReportUnknown(param, diagnostics);
       continue;
     }
-    const char* expected = step->count == 3 ? "three numbers" : "an angle in degrees";
-    Vec3d numbers;
+    std::array<double, kMostNumbers> numbers{};
     size_t count = 0;
     for (; count < std::min(step->count, param.words.size()); ++count) {
       const auto number = ParseDouble(param.words[count].text);
       if (!number) break;
-      numbers[static_cast<int>(count)] = *number;
+      numbers[count] = *number;
     }
     if (count < param.words.size()) {
       const ParamWord& word = param.words[count];
-      diagnostics->Error(word.where,
-                         count == step->count
-                             ? WrongCount(step->name, expected, param.words.size())
-                             : WrongWord(step->name, expected, word.text, IsTooLarge(word.text)));
+      diagnostics->Error(
+          word.where,
+          count == step->count
+              ? WrongCount(step->name, step->expected, param.words.size())
+              : WrongWord(step->name, step->expected, word.text, IsTooLarge(word.text)));
     } else if (count == step->count) {
-      // Each further step acts on the object before the ones written so far.
-      product = product * step->matrix(numbers);
+      // Each further step acts on the object before the ones written so far. A matrix alone stays
+      // as it is, to the sign of its zeros.
+      const Mat4 matrix = step->matrix(numbers.data());
+      product = params.size() == 1 && step->count == kMostNumbers ? matrix : product * matrix;
     } else if (i + 1 == params.size() && steps.is_damaged) {
       // The rest of it may be what could not be read.
     } else if (count > 0 && i + 1 < params.size() && !Nearest(params[i + 1].name, kNames)) {
       // A word between numbers was read as the name of a step.
       ++i;
-      diagnostics->Error(params[i].where, WrongWord(step->name, expected, params[i].name));
+      diagnostics->Error(params[i].where, WrongWord(step->name, step->expected, params[i].name));
     } else {
-      diagnostics->Error(param.where, WrongCount(step->name, expected, count));
+      diagnostics->Error(param.where, WrongCount(step->name, step->expected, count));
     }
   }
   return product;

@@ -17,8 +17,8 @@ bool EndsWord(char c) {
 
 }  // namespace
 
-Tokenizer::Tokenizer(std::shared_ptr<const std::string> file, std::string_view text)
-    : file_(std::move(file)), text_(text) {
+Tokenizer::Tokenizer(std::shared_ptr<const std::string> file, std::string_view text, uint32_t index)
+    : file_(std::move(file)), text_(text), index_(index) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
   for (Token& token : ahead_) token = Scan();
@@ -49,6 +49,7 @@ Token Tokenizer::Scan() {
   Token token;
   token.line = line_;
   token.column = static_cast<uint32_t>(at_ - line_start_ + 1);
+  token.file = index_;
   if (at_ == text_.size()) return token;
 
   const size_t start = at_++;

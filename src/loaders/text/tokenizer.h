@@ -17,6 +17,7 @@ struct Token {
   std::string_view text;
   uint32_t line = 0;
   uint32_t column = 0;  ///< In bytes, counted from 1; a byte order mark does not count.
+  uint32_t file = 0;    ///< As its tokenizer was told.
 
   bool IsWord() const { return kind == Kind::kWord; }
   bool IsOpenBrace() const { return kind == Kind::kOpenBrace; }
@@ -29,7 +30,8 @@ struct Token {
 /// skipped. The text must not hold a NUL byte (see `HasNul`).
 class Tokenizer {
  public:
-  Tokenizer(std::shared_ptr<const std::string> file, std::string_view text);
+  /// `index` marks the tokens, for whoever reads several files.
+  Tokenizer(std::shared_ptr<const std::string> file, std::string_view text, uint32_t index = 0);
 
   /// The next token; once at the end, the end again and again.
   Token Next();
@@ -45,6 +47,7 @@ class Tokenizer {
 
   std::shared_ptr<const std::string> file_;
   std::string_view text_;
+  uint32_t index_;
   size_t at_ = 0;
   size_t line_start_ = 0;
   uint32_t line_ = 1;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "base/diagnostics.h"
+#include "scene_spec/scene_spec.h"
+
+namespace candela {
+
+/// Checks the blocks `Render` and `Film` of a scene as `candela render` does, and gives the options
+/// that `candela render SCENE` would then use, as such blocks: what follows from others and from
+/// defaults included, what has no effect left out.
+struct RenderSettings {
+  ParamSet render, film;
+};
+RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics);
+
+}  // namespace candela

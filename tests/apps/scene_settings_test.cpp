@@ -1,0 +1,193 @@
+// What scenes say about their rendering, as a user sees it.
+#include <fmt/format.h>
+
+#include "tests/apps/programs.h"
+
+namespace candela::testing_support {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kDiffuseScene = R"(
+Camera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }
+Background { color 1 0.5 0.25 }
+Materials { Material { type diffuse } }
+Scene { Component<Material> { index 0 } Component<Object> { type sphere radius 1 } }
+)";
+
+class SceneSettingsTest : public ProgramTest {
+ protected:
+  void PutScene(const std::string& settings) const {
+    Put(folder_ / "scene.txt", settings + kDiffuseScene);
+  }
+  /// The fingerprint of the picture that these settings and arguments give.
+  size_t Rendered(const std::string& settings, std::vector<std::string> arguments,
+                  const std::string& file = "o.png") const {
+    PutScene(settings);
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", file});
+    const ProgramEnd end = Candela(arguments);
+    EXPECT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.err, "");
+    return Fingerprint(file);
+  }
+  std::string Checked(const std::string& settings) const {
+    PutScene(settings);
+    const ProgramEnd end = Candela({"check", "scene.txt"});
+    EXPECT_EQ(end.status, end.err.empty() ? 0 : 1);
+    // Rendering says the same, and renders nothing.
+    EXPECT_EQ(Candela({"render", "scene.txt", "-o", "no.png"}).err.substr(0, end.err.size()),
+              end.err);
+    EXPECT_EQ(std::filesystem::exists(folder_ / "no.png"), end.err.empty());
+    return end.err;
+  }
+};
+
+TEST_F(SceneSettingsTest, AreOptions) {
+  const struct {
+    const char* settings;
+    std::vector<std::string> options;
+  } pairs[] = {
+      {"Render { integrator path samples 4 seed 7 bounces 2 diffuse_bounces 1 }",
+       {"--integrator", "path", "--samples=4", "--seed=7", "--bounces=2", "--diffuse-bounces=1"}},
+      {"Render { samples 3 shadows true } Film { filter gaussian tonemap filmic exposure -0.5 }",
+       {"--samples=3", "--shadows", "--filter=gaussian", "--tonemap=filmic", "--exposure=-0.5"}},
+      {"Film { pixel_grid centres stretch true }", {"--pixel-grid=centres", "--stretch"}},
+      // What follows from others follows from them wherever they stand.
+      {"Render { integrator path }", {"--integrator=path"}},
+      {"Film { filter tent }", {"--filter=tent"}},
+  };
+  for (const auto& [settings, options] : pairs) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"--size", "20", "16"});
+    EXPECT_EQ(Rendered(settings, {"--size", "20", "16"}), Rendered("", all)) << settings;
+  }
+}
+
+TEST_F(SceneSettingsTest, TheSizeIsTheirs) {
+  Rendered("Film { size 24 12 }", {});
+  EXPECT_EQ(Picture("o.png").Width(), 24);
+  EXPECT_EQ(Picture("o.png").Height(), 12);
+  // The window of a crop lies in it.
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "o.png", "--crop", "0", "0", "25", "5"}).err,
+            "candela render: error: --crop: reaches beyond the picture of 24 x 12 pixels\n");
+}
+
+TEST_F(SceneSettingsTest, TheCommandLineWins) {
+  const std::string all =
+      "Render { integrator path samples 9 shadows true seed 3 }\n"
+      "Film { size 9 9 filter mitchell tonemap agx exposure 2 pixel_grid centres stretch true }\n";
+  EXPECT_EQ(Rendered(all, {"--integrator=whitted", "--samples=2", "--shadows=false", "--seed=1",
+                           "--size", "20", "10", "--filter=box", "--tonemap=srgb", "--exposure=0",
+                           "--pixel-grid=corners", "--stretch=false"}),
+            Rendered("", {"--samples=2", "--seed=1", "--size", "20", "10", "--filter=box",
+                          "--tonemap=srgb"}));
+}
+
+// The samples of the course are a number and a filter of their own.
+TEST_F(SceneSettingsTest, JitterTakesThePlaceOfSamplesAndFilter) {
+  EXPECT_EQ(Rendered("Render { samples 3 } Film { filter gaussian }", {"--jitter"}),
+            Rendered("", {"--jitter"}));
+}
+
+// An exposure concerns pictures for eyes; a file that holds the light itself has none.
+TEST_F(SceneSettingsTest, TheToneCurveLeavesTheLightItself) {
+  EXPECT_EQ(Rendered("Film { tonemap agx exposure 2 size 9 9 }", {}, "o.exr"),
+            Rendered("", {"--size", "9", "9"}, "o.exr"));
+}
+
+TEST_F(SceneSettingsTest, WrongOnesArePlaced) {
+  EXPECT_EQ(Checked("Render { sampels 4 }"),
+            "scene.txt:1:10: error: parameter 'sampels' is not used by 'Render' (did you mean "
+            "'samples'?)\n");
+  EXPECT_EQ(
+      Checked("Film { filter gausian }"),
+      "scene.txt:1:15: error: 'filter' expects 'box', 'tent', 'gaussian' or 'mitchell', found "
+      "'gausian' (did you mean 'gaussian'?)\n");
+  EXPECT_EQ(Checked("Render { samples 0 }"),
+            "scene.txt:1:18: error: 'samples' expects a whole number from 1 to 2147483647, found "
+            "'0'\n");
+  EXPECT_EQ(Checked("Film { size 640 }"),
+            "scene.txt:1:8: error: 'size' expects 2 values: W H, found 1 number\n");
+  EXPECT_EQ(
+      Checked("Film { size 640 x }"),
+      "scene.txt:1:17: error: 'size' expects a whole number from 1 to 2147483647 for H, found "
+      "'x'\n");
+  EXPECT_EQ(Checked("Render { shadows yes }"),
+            "scene.txt:1:18: error: 'shadows' expects 'true' or 'false', found 'yes'\n");
+  EXPECT_EQ(Checked("Render { filter box }"),
+            "scene.txt:1:10: error: 'filter' belongs in the block 'Film', not in 'Render'\n");
+  EXPECT_EQ(Checked("Film { tonemap }"),
+            "scene.txt:1:8: error: 'tonemap' expects 'none', 'srgb', 'filmic' or 'agx', found "
+            "nothing\n");
+}
+
+// They are about the machine and the files of whoever renders.
+TEST_F(SceneSettingsTest, ScenesCannotSetEverything) {
+  for (const char* name : {"threads", "output", "quiet", "isa", "stats_json", "png_bits"}) {
+    EXPECT_EQ(Checked(fmt::format("Render {{ {} 1 }}", name)),
+              fmt::format("scene.txt:1:10: error: '{}' is for the command line alone: a scene "
+                          "cannot set it\n",
+                          name));
+  }
+}
+
+TEST_F(SceneSettingsTest, AWrongCommandLineShowsWhereverItIsUsed) {
+  ExpectRefusal(Candela({"render", "missing.txt", "-o", "o.png", "--jitter", "--samples", "2"}), 2,
+                "candela render: error: --jitter and --samples: give one of them");
+}
+
+TEST_F(SceneSettingsTest, TheCourseProgramKeepsToItsCommandLine) {
+  PutScene("");
+  EXPECT_EQ(Assignment4({"-input", "scene.txt", "-output", "a.png"}).err, "");
+  PutScene("Film { size 9 9 } ");
+  EXPECT_EQ(Assignment4({"-input", "scene.txt", "-output", "b.png"}).err,
+            "scene.txt:1:1: warning: 'Film' is for 'candela render'; this program does what its "
+            "command line says\n");
+  EXPECT_EQ(Fingerprint("a.png"), Fingerprint("b.png"));
+}
+
+TEST_F(SceneSettingsTest, ResolvedScenesHoldThem) {
+  PutScene("Render { integrator path samples 2 } Film { size 20 10 }");
+  const ProgramEnd resolved = Candela({"info", "--resolved", "scene.txt"});
+  EXPECT_EQ(resolved.status, 0);
+  EXPECT_THAT(resolved.out, HasSubstr("\n  samples 2\n"));
+  EXPECT_THAT(resolved.out, HasSubstr("\n  filter box\n"));
+  EXPECT_THAT(resolved.out, HasSubstr("\n  tonemap srgb\n"));
+  Put(folder_ / "resolved.txt", resolved.out);
+  EXPECT_EQ(Candela({"info", "--resolved", "resolved.txt"}).out, resolved.out);
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "a.png"}).status, 0);
+  EXPECT_EQ(Candela({"render", "resolved.txt", "-o", "b.png"}).status, 0);
+  EXPECT_EQ(Fingerprint("a.png"), Fingerprint("b.png"));
+}
+
+// The usual picture of the course has no filter and no curve, and none is made up for it.
+TEST_F(SceneSettingsTest, ResolvedScenesHoldNothingWithoutEffect) {
+  const ProgramEnd resolved = Candela({"info", "--resolved", "scene.txt"});
+  EXPECT_THAT(resolved.out, HasSubstr("\n  bounces 0\n"));
+  EXPECT_THAT(resolved.out, Not(HasSubstr("filter")));
+  EXPECT_THAT(resolved.out, Not(HasSubstr("exposure")));
+  Put(folder_ / "resolved.txt", resolved.out);
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "a.png"}).status, 0);
+  EXPECT_EQ(Candela({"render", "resolved.txt", "-o", "b.png"}).status, 0);
+  EXPECT_EQ(Fingerprint("a.png"), Fingerprint("b.png"));
+}
+
+TEST_F(SceneSettingsTest, IncludedFilesAreNotOverwritten) {
+  PutScene("include parts.png\n");
+  Put(folder_ / "parts.png", "Film { size 9 9 }");
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "parts.png"}).err,
+            "candela render: error: 'parts.png' is a part of the scene, which would be "
+            "overwritten\n");
+  EXPECT_EQ(Bytes("parts.png"), "Film { size 9 9 }");
+}
+
+TEST_F(SceneSettingsTest, PathsPlaceTheMaterialsThatTheyDoNotKnow) {
+  Put(folder_ / "scene.txt", kSmallScene);
+  const ProgramEnd end = Candela({"render", "scene.txt", "-o", "o.png", "--integrator", "path"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("scene.txt:5:3: the material has a Phong highlight"));
+}
+
+}  // namespace
+}  // namespace candela::testing_support

@@ -34,6 +34,14 @@ struct RayCounts {
   }
 };
 
+/// Where `Integrator::Trace` stores what it finds: entry i of a list belongs to sample i.
+struct SampleOutput {
+  std::span<Spectrum> radiance;
+
+  /// What belongs to `count` samples from the sample `begin` on.
+  SampleOutput Part(size_t begin, size_t count) const { return {radiance.subspan(begin, count)}; }
+};
+
 /// What a thread needs for itself while it traces.
 struct Workspace {
   virtual ~Workspace() = default;
@@ -48,11 +56,11 @@ class Integrator {
 
   virtual std::unique_ptr<Workspace> MakeWorkspace() const { return std::make_unique<Workspace>(); }
 
-  /// Stores the radiance of `samples[i]` in `radiance[i]`. The workspace comes from `MakeWorkspace`
-  /// of this integrator. A result depends on its sample alone, never on the others of the list or
-  /// on their order; many are quicker together, neighbours one after the other.
+  /// Stores the radiance of `samples[i]` in `output.radiance[i]`. The workspace comes from
+  /// `MakeWorkspace` of this integrator. A result depends on its sample alone, never on the others
+  /// of the list or on their order; many are quicker together, neighbours one after the other.
   virtual void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                     std::span<Spectrum> radiance) const = 0;
+                     const SampleOutput& output) const = 0;
 
   /// The rays of one sample and what came of them, in words, one line each; empty for an integrator
   /// that cannot tell.

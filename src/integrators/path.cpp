@@ -165,16 +165,16 @@ std::unique_ptr<Workspace> PathIntegrator::MakeWorkspace() const {
 }
 
 void PathIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                           std::span<Spectrum> radiance) const {
+                           const SampleOutput& output) const {
   Batch* batch = static_cast<Batch*>(workspace);
   for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
     const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, radiance.subspan(begin, count));
+    Follow(samples.subspan(begin, count), batch, output.Part(begin, count));
   }
 }
 
 void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
-                            std::span<Spectrum> radiance) const {
+                            const SampleOutput& output) const {
   PathQueue<Path>& paths = batch->paths;
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
@@ -187,20 +187,20 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));
-    radiance[i] = Spectrum();
+    output.radiance[i] = Spectrum();
   }
   batch->rays.camera += samples.size();
 
   RayOrder order = is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
-    Shade(bounce, batch, radiance);
-    AddSampledLight(batch, radiance);
+    Shade(bounce, batch, output);
+    AddSampledLight(batch, output);
     order = RayOrder::kScattered;
   }
 }
 
-void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::Shade(uint32_t bounce, Batch* batch, const SampleOutput& output) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
   PathQueue<Path>& paths = batch->paths;
@@ -210,7 +210,7 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
     const HitRecord& hit = paths.hits()[i];
     Path& path = paths.states()[i];
     if (!hit.IsHit()) {
-      radiance[path.sample] += path.throughput * FromSky(path, ray.direction);
+      output.radiance[path.sample] += path.throughput * FromSky(path, ray.direction);
       continue;
     }
     if (path.absorption != Rgb()) path.throughput *= Transmittance(path.absorption, hit.t);
@@ -218,7 +218,8 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
     vertex.point = scene_.SurfaceAt(ray, hit);
     vertex.wo = -Normalize(ray.direction);
     if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
-      radiance[path.sample] += path.throughput * FromSurface(path, vertex.point, vertex.wo, lamp);
+      output.radiance[path.sample] +=
+          path.throughput * FromSurface(path, vertex.point, vertex.wo, lamp);
     }
     if (bounce == bounces_) continue;
 
@@ -314,13 +315,13 @@ void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex
   batch->contributions.push_back({path.sample, path.throughput * scattered.value * arriving});
 }
 
-void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) const {
   const size_t count = batch->shadow_rays.size();
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
     const auto& [sample, value] = batch->contributions[i];
-    if (!batch->is_shadowed[i]) radiance[sample] += value;
+    if (!batch->is_shadowed[i]) output.radiance[sample] += value;
   }
 }
 

@@ -43,7 +43,7 @@ class PathIntegrator final : public Integrator {
 
   std::unique_ptr<Workspace> MakeWorkspace() const override;
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-             std::span<Spectrum> radiance) const override;
+             const SampleOutput& output) const override;
 
  private:
   struct Path;
@@ -51,12 +51,12 @@ class PathIntegrator final : public Integrator {
   struct Vertex;
 
   void Follow(std::span<const SampleRequest> samples, Batch* batch,
-              std::span<Spectrum> radiance) const;
+              const SampleOutput& output) const;
 
   // The stages of one bounce: what the rays have met is lit, in part, and sends out new rays; then
   // those shadow rays that reach their lights add to the sums.
-  void Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance) const;
-  void AddSampledLight(Batch* batch, std::span<Spectrum> radiance) const;
+  void Shade(uint32_t bounce, Batch* batch, const SampleOutput& output) const;
+  void AddSampledLight(Batch* batch, const SampleOutput& output) const;
 
   Spectrum FromSky(const Path& path, Vec3 direction) const;
   Spectrum FromSurface(const Path& path, const SurfacePoint& point, Vec3 wo, uint32_t light) const;

@@ -91,12 +91,12 @@ std::unique_ptr<Workspace> WhittedIntegrator::MakeWorkspace() const {
 }
 
 void WhittedIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                              std::span<Spectrum> radiance) const {
+                              const SampleOutput& output) const {
   NoStory nobody;
   Batch* batch = static_cast<Batch*>(workspace);
   for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
     const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, radiance.subspan(begin, count), &nobody);
+    Follow(samples.subspan(begin, count), batch, output.Part(begin, count), &nobody);
   }
 }
 
@@ -104,14 +104,14 @@ std::vector<std::string> WhittedIntegrator::Explain(const SampleRequest& sample)
   RayStory story(scene_);
   Batch batch;
   Spectrum radiance;
-  Follow({&sample, 1}, &batch, {&radiance, 1}, &story);
+  Follow({&sample, 1}, &batch, {{&radiance, 1}}, &story);
   story.OnResult(radiance.ToRgb());
   return story.TakeLines();
 }
 
 template <class Observer>
 void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
-                               std::span<Spectrum> radiance, Observer* observer) const {
+                               const SampleOutput& output, Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   paths.Resize(samples.size());
   for (uint32_t i = 0; i < samples.size(); ++i) {
@@ -123,19 +123,19 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   RayOrder order = RayOrder::kCoherent;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
-    EndMisses(batch, radiance, observer);
+    EndMisses(batch, output, observer);
     FindSurfaces(batch, observer);
     for (const Light* light : delta_lights_) {
       if (shadows_) FindShadows(*light, order, batch);
       AddLight(*light, batch, observer);
     }
-    Reflect(bounce, batch, radiance, observer);
+    Reflect(bounce, batch, output, observer);
     order = RayOrder::kScattered;
   }
 }
 
 template <class Observer>
-void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
+void WhittedIntegrator::EndMisses(Batch* batch, const SampleOutput& output,
                                   Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
@@ -147,7 +147,7 @@ void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
     const Path& path = paths.states()[i];
     const Rgb background = scene_.background().Radiance(paths.rays()[i].direction).ToRgb();
     observer->OnMiss(paths.rays()[i], background);
-    radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
+    output.radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
   }
   paths.Resize(left);
 }
@@ -205,7 +205,7 @@ void WhittedIntegrator::AddLight(const Light& light, Batch* batch, Observer* obs
 }
 
 template <class Observer>
-void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
+void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, const SampleOutput& output,
                                 Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
@@ -239,7 +239,7 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
     }
     if (end) {
       observer->OnEnd(end);
-      radiance[path.sample] = Spectrum(path.radiance);
+      output.radiance[path.sample] = Spectrum(path.radiance);
       continue;
     }
     observer->OnReflection(specular);

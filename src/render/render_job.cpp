@@ -54,7 +54,7 @@ class RenderJob::Worker {
   void TraceBatch() {
     const uint64_t rays_before = workspace_->rays.Total();
     radiance_.resize(requests_.size());
-    job_.integrator_.Trace(requests_, workspace_.get(), radiance_);
+    job_.integrator_.Trace(requests_, workspace_.get(), {radiance_});
     for (size_t i = 0; i < requests_.size(); ++i) {
       const int x = static_cast<int>(requests_[i].x);
       const int y = static_cast<int>(requests_[i].y);

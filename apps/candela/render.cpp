@@ -2,20 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "candela/commands.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/console.h"
 #include "driver/render_request.h"
+#include "film/layers.h"
 #include "film/pixel_filter.h"
 #include "image/image_file.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
+#include "sampling/sampler.h"
 
 namespace candela {
 namespace {
@@ -64,6 +68,55 @@ std::string ToneCurveSummaries() {
   return summaries;
 }
 
+/// Layers by name, separated by commas.
+ArgValue LayerNames(LayerSet* target) {
+  std::vector<std::string_view> names;
+  for (const LayerEntry& entry : Layers()) names.push_back(entry.name);
+  names.push_back("all");
+  const auto store = [target, names](std::string_view text) {
+    LayerSet layers;
+    while (true) {
+      const std::string_view word = text.substr(0, text.find(','));
+      const auto found = std::ranges::find(names, word);
+      if (found == names.end()) return false;
+      const auto index = static_cast<size_t>(found - names.begin());
+      const bool is_all = index == kLayerCount;
+      for (size_t i = is_all ? 0 : index; i < (is_all ? kLayerCount : index + 1); ++i) {
+        layers.Add(static_cast<Layer>(i));
+      }
+      if (word.size() == text.size()) break;
+      text.remove_prefix(word.size() + 1);
+    }
+    *target = layers;
+    return true;
+  };
+  return {"NAMES", ListOf(names) + ", several with commas", store, names};
+}
+
+/// "depth: distance ...; position: ..." for the help.
+std::string LayerSummaries() {
+  std::string summaries = "layers in the .exr file beside the colours, separated by commas, or all";
+  for (const LayerEntry& entry : Layers()) {
+    summaries += fmt::format("; {}: {}", entry.name, entry.description);
+  }
+  return summaries;
+}
+
+std::vector<std::string_view> SamplerNames() {
+  std::vector<std::string_view> names;
+  for (const SamplerEntry& entry : Samplers()) names.push_back(entry.name);
+  return names;
+}
+
+/// "sobol: scrambled ...; stratified: ..." for the help.
+std::string SamplerSummaries() {
+  std::string summaries = "where the random numbers come from (default sobol)";
+  for (const SamplerEntry& entry : Samplers()) {
+    summaries += fmt::format("; {}: {}", entry.name, entry.description);
+  }
+  return summaries;
+}
+
 Error UsageError(std::string message) {
   return {ErrorCode::kUsage, std::move(message)};
 }
@@ -93,14 +146,20 @@ class RenderCommand {
     if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
     if (const auto done = FinishWindow(); !done) return done;
-    request_.integrator_options.seed = request_.render.seed;
+    FinishSampler();
+    request_.output_options.has_facts = true;
     request_.render.grid = ChooseGrid();
     request_.output_options.png_bits = png_bits_ == "16" ? 16 : 8;
     if (const auto done = FinishTone(); !done) return done;
+    if (const auto done = CheckLayers(); !done) return done;
+    if (const auto done = CheckCheckpoint(); !done) return done;
     return common_.FinishFiles(parser_);
   }
 
   Result<void> FinishSamples();
+  void FinishSampler();
+  Result<void> CheckCheckpoint();
+  Result<void> CheckLayers();
   Result<void> FinishWindow();
   Result<void> CheckPixel();
   Result<void> FinishIsa();
@@ -111,7 +170,7 @@ class RenderCommand {
   ArgParser parser_;
   CommonOptions common_;
   bool jitter_ = false;
-  std::string png_bits_ = "8";
+  std::string png_bits_ = "8", sampler_ = "sobol";
   std::optional<std::string> filter_, grid_, isa_, tonemap_;
   float exposure_ = 0;
   std::optional<uint32_t> samples_;
@@ -128,6 +187,7 @@ void RenderCommand::AddOptions() {
   parser_.Option("png-bits", {Choice("BITS", &png_bits_, {"8", "16"})},
                  "bits of each channel in .png files: 8 (default) or 16");
 
+  parser_.Option("aov", {LayerNames(&render.layers)}, LayerSummaries());
   parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries());
   parser_.Option("exposure", {Real("EV", &exposure_)},
                  "brightness of .png files in stops: 1 doubles the light (default 0)");
@@ -162,6 +222,10 @@ void RenderCommand::AddOptions() {
   parser_.Option(
       "filter", {Choice("NAME", &filter_, FilterNames())},
       fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")));
+  parser_.Option("sampler", {Choice("NAME", &sampler_, SamplerNames())}, SamplerSummaries());
+  parser_.Option("clamp", {Positive("X", &render.clamp)},
+                 "darken samples of which a channel is above X, colour kept: less noise, but the "
+                 "picture loses light, and it is said how much (default off)");
   parser_.Flag("jitter", &jitter_,
                "the course's 4x4 samples of each pixel, with --filter tent weighed");
   parser_.Option("seed", {Whole("N", &render.seed, 0, 4294967295)},
@@ -173,6 +237,11 @@ void RenderCommand::AddOptions() {
   parser_.Option("isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
                  "instruction set of the search for hits: scalar, avx2 or avx512 (default the best "
                  "that the processor knows); changes nothing in the picture");
+  parser_.Option("checkpoint", {File("FILE", &request_.checkpoint)},
+                 "keep what was rendered, at the end, when stopped, and now and then, and go on "
+                 "from there when the file exists: as far as --samples says");
+  parser_.Option("checkpoint-every", {NotNegative("SECONDS", &request_.checkpoint_seconds)},
+                 "how often in a long render (default 300)");
   parser_.Flag("quiet", &request_.quiet, "show no progress");
   parser_.Flag("stats", &request_.print_stats, "print times, rays and memory to stderr");
   parser_.Option("stats-json", {File("FILE", &request_.stats_json)}, "write the same as JSON");
@@ -208,6 +277,36 @@ Result<void> RenderCommand::FinishSamples() {
   return {};
 }
 
+void RenderCommand::FinishSampler() {
+  RenderOptions& render = request_.render;
+  render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
+  render.drops_negative = FindIntegrator(request_.integrator)->is_physical;
+  request_.integrator_options.seed = render.seed;
+  request_.integrator_options.sampler = render.sampler;
+}
+
+Result<void> RenderCommand::CheckCheckpoint() {
+  if (!request_.checkpoint) {
+    return parser_.Has("checkpoint-every") ? UsageError("--checkpoint-every goes with --checkpoint")
+                                           : Result<void>();
+  }
+  if (!request_.output) return UsageError("--checkpoint keeps the picture of --output: give both");
+  if (request_.render.layers.IsEmpty()) return {};
+  return UsageError("--checkpoint and --aov: a checkpoint does not hold layers");
+}
+
+Result<void> RenderCommand::CheckLayers() {
+  if (request_.render.layers.IsEmpty()) return {};
+  if (!request_.output || FormatOf(*request_.output) != ImageFormat::kExr) {
+    return UsageError(
+        "--aov: layers go into the picture of --output, which has to be an .exr file");
+  }
+  if (!FindIntegrator(request_.integrator)->has_layers) {
+    return UsageError(fmt::format("--aov: the integrator '{}' has no layers", request_.integrator));
+  }
+  return {};
+}
+
 Result<void> RenderCommand::FinishWindow() {
   const RenderOptions& render = request_.render;
   if (parser_.Has("crop")) {
@@ -230,7 +329,8 @@ Result<void> RenderCommand::FinishWindow() {
 
 Result<void> RenderCommand::CheckPixel() {
   if (!parser_.Has("pixel")) return {};
-  for (const char* output : {"output", "normals", "depth", "stats-json", "crop"}) {
+  for (const char* output :
+       {"output", "normals", "depth", "stats-json", "crop", "aov", "checkpoint"}) {
     if (parser_.Has(output)) {
       return UsageError(fmt::format("--pixel renders nothing, so --{} cannot be given", output));
     }

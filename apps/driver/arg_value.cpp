@@ -42,6 +42,15 @@ ArgValue Real(std::string label, float* target) {
           }};
 }
 
+ArgValue Positive(std::string label, std::optional<float>* target) {
+  return {std::move(label), "a number above 0", [=](std::string_view text) {
+            const auto value = ParseFloat(text);
+            if (!value || !(*value > 0)) return false;
+            *target = *value;
+            return true;
+          }};
+}
+
 ArgValue NotNegative(std::string label, std::optional<double>* target) {
   return {std::move(label), "a number of at least 0", [=](std::string_view text) {
             const auto value = ParseDouble(text);

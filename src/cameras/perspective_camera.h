@@ -25,6 +25,9 @@ class PerspectiveCamera {
   /// through the middle where that is in focus.
   Ray GenerateRay(Vec2 image_point, Vec2 u) const;
 
+  /// How far ahead of the camera a point lies, along the direction of view.
+  float DepthOf(Vec3 p) const { return Dot(p - center_, view_); }
+
   /// Whether all rays go through one point.
   bool IsPinhole() const { return lens_radius_ == 0; }
 

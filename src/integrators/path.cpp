@@ -7,6 +7,7 @@
 
 #include "geometry/spawn_ray.h"
 #include "integrators/path_queue.h"
+#include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
 #include "sampling/sampler.h"
@@ -139,6 +140,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                        options.mirror_bounces.value_or(kUnlimited),
                        options.transmission_bounces.value_or(kUnlimited)},
       seed_(options.seed),
+      sampler_(options.sampler),
       techniques_(techniques) {
   for (uint32_t i = 0; i < scene.lights().size(); ++i) {
     if (lights_[i]->Kind() == LightKind::kSky) suns_.push_back(i);
@@ -183,11 +185,11 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     Path& path = paths.states()[i];
     path = Path();
     path.sample = i;
-    path.sampler = Sampler(seed_, request.x, request.y, request.index);
+    path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));
-    output.radiance[i] = Spectrum();
+    output.Clear(i);
   }
   batch->rays.camera += samples.size();
 
@@ -195,7 +197,7 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
     Shade(bounce, batch, output);
-    AddSampledLight(batch, output);
+    AddSampledLight(bounce, batch, output);
     order = RayOrder::kScattered;
   }
 }
@@ -210,7 +212,7 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, const SampleOutput& ou
     const HitRecord& hit = paths.hits()[i];
     Path& path = paths.states()[i];
     if (!hit.IsHit()) {
-      output.radiance[path.sample] += path.throughput * FromSky(path, ray.direction);
+      output.Add(path.sample, bounce, path.throughput * FromSky(path, ray.direction));
       continue;
     }
     if (path.absorption != Rgb()) path.throughput *= Transmittance(path.absorption, hit.t);
@@ -218,15 +220,22 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, const SampleOutput& ou
     vertex.point = scene_.SurfaceAt(ray, hit);
     vertex.wo = -Normalize(ray.direction);
     if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
-      output.radiance[path.sample] +=
-          path.throughput * FromSurface(path, vertex.point, vertex.wo, lamp);
+      output.Add(path.sample, bounce,
+                 path.throughput * FromSurface(path, vertex.point, vertex.wo, lamp));
     }
-    if (bounce == bounces_) continue;
+    const bool is_recorded = bounce == 0 && output.HasLayers();
+    if (bounce == bounces_ && !is_recorded) continue;
 
     const Vec3 n = vertex.point.n_shading;
     vertex.bsdf.frame = Frame::FromNormal(Dot(n, vertex.wo) < 0 ? -n : n);
     vertex.material = &scene_.material(hit);
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
+    if (is_recorded) {
+      SampleLayers& layers = output.layers[path.sample];
+      layers.albedo = AlbedoOf(vertex.bsdf);
+      layers.surface = RecordSurface(scene_, ray, hit, vertex.point, output.needs_uv);
+      if (bounce == bounces_) continue;
+    }
     if (picker_.HasLights() && vertex.bsdf.HasSmoothPart()) {
       SampleLight(path, bounce, vertex, batch);
     }
@@ -315,13 +324,14 @@ void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex
   batch->contributions.push_back({path.sample, path.throughput * scattered.value * arriving});
 }
 
-void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) const {
+void PathIntegrator::AddSampledLight(uint32_t bounce, Batch* batch,
+                                     const SampleOutput& output) const {
   const size_t count = batch->shadow_rays.size();
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
     const auto& [sample, value] = batch->contributions[i];
-    if (!batch->is_shadowed[i]) output.radiance[sample] += value;
+    if (!batch->is_shadowed[i]) output.Add(sample, bounce + 1, value);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "integrators/integrator.h"
 #include "lights/environment_light.h"
 #include "lights/light_picker.h"
+#include "sampling/sampler.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -56,7 +57,7 @@ class PathIntegrator final : public Integrator {
   // The stages of one bounce: what the rays have met is lit, in part, and sends out new rays; then
   // those shadow rays that reach their lights add to the sums.
   void Shade(uint32_t bounce, Batch* batch, const SampleOutput& output) const;
-  void AddSampledLight(Batch* batch, const SampleOutput& output) const;
+  void AddSampledLight(uint32_t bounce, Batch* batch, const SampleOutput& output) const;
 
   Spectrum FromSky(const Path& path, Vec3 direction) const;
   Spectrum FromSurface(const Path& path, const SurfacePoint& point, Vec3 wo, uint32_t light) const;
@@ -75,6 +76,7 @@ class PathIntegrator final : public Integrator {
   uint32_t bounces_;
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;
+  SamplerType sampler_;
   PathTechniques techniques_;
 };
 

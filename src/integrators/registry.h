@@ -9,6 +9,7 @@
 
 #include "base/result.h"
 #include "integrators/integrator.h"
+#include "sampling/sampler.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -22,6 +23,7 @@ struct IntegratorOptions {
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
   uint32_t seed = 0;
+  SamplerType sampler;  ///< Where the random numbers come from.
 };
 
 /// An integrator that may be asked for by name.
@@ -32,9 +34,13 @@ struct IntegratorEntry {
   Result<std::unique_ptr<Integrator>> (*create)(const Scene& scene,
                                                 const IntegratorOptions& options);
   bool is_physical;  ///< Solves light transport; the contract tests hold it to a furnace.
+  bool has_layers;   ///< Fills in `SampleOutput::layers`.
 };
 
 std::span<const IntegratorEntry> IntegratorEntries();
+
+/// The row of that name, or null.
+const IntegratorEntry* FindIntegrator(std::string_view name);
 
 /// Creates the integrator `name` for a scene, which has to outlive it.
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,

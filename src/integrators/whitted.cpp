@@ -6,6 +6,7 @@
 
 #include "integrators/path_queue.h"
 #include "integrators/ray_story.h"
+#include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
 
@@ -116,6 +117,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   paths.Resize(samples.size());
   for (uint32_t i = 0; i < samples.size(); ++i) {
     paths.states()[i] = {i};
+    if (output.HasLayers()) output.layers[i] = SampleLayers();
     paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
   }
   batch->rays.camera += samples.size();
@@ -123,7 +125,8 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   RayOrder order = RayOrder::kCoherent;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
-    EndMisses(batch, output, observer);
+    EndMisses(bounce, batch, output, observer);
+    if (bounce == 0 && output.HasLayers()) RecordSurfaces(batch, output);
     FindSurfaces(batch, observer);
     for (const Light* light : delta_lights_) {
       if (shadows_) FindShadows(*light, order, batch);
@@ -135,7 +138,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
 }
 
 template <class Observer>
-void WhittedIntegrator::EndMisses(Batch* batch, const SampleOutput& output,
+void WhittedIntegrator::EndMisses(uint32_t bounce, Batch* batch, const SampleOutput& output,
                                   Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
@@ -147,9 +150,25 @@ void WhittedIntegrator::EndMisses(Batch* batch, const SampleOutput& output,
     const Path& path = paths.states()[i];
     const Rgb background = scene_.background().Radiance(paths.rays()[i].direction).ToRgb();
     observer->OnMiss(paths.rays()[i], background);
+    if (output.HasLayers()) {
+      output.layers[path.sample].AddLight(bounce, path.throughput * background);
+    }
     output.radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
   }
   paths.Resize(left);
+}
+
+void WhittedIntegrator::RecordSurfaces(Batch* batch, const SampleOutput& output) const {
+  PathQueue<Path>& paths = batch->paths;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const Ray& ray = paths.rays()[i];
+    const HitRecord& hit = paths.hits()[i];
+    const SurfacePoint point = scene_.SurfaceAt(ray, hit);
+    SampleLayers& layers = output.layers[paths.states()[i].sample];
+    const PhongTerms terms = scene_.material(hit).Phong(point);
+    layers.albedo = Min(terms.diffuse + terms.specular, Rgb{1, 1, 1});
+    layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
+  }
 }
 
 template <class Observer>
@@ -215,7 +234,11 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, const SampleOutpu
     const Rgb ambient = scene_.background().ambient_light * shading.terms.ambient;
     observer->OnAmbient(ambient);
     Rgb local = shading.light + ambient;
+    const Path& before = paths.states()[i];
     const uint32_t lamp = scene_.objects()[paths.hits()[i].object].light;
+    if (output.HasLayers()) {
+      output.layers[before.sample].AddLight(bounce + 1, before.throughput * local);
+    }
     if (lamp != SceneObject::kNoLight) {
       SurfacePoint surface;
       surface.p = shading.p;
@@ -223,8 +246,11 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, const SampleOutpu
       const Rgb emitted = scene_.lights()[lamp]->Emitted(surface, -shading.eye).ToRgb();
       observer->OnEmission(emitted);
       local += emitted;
+      if (output.HasLayers()) {
+        output.layers[before.sample].AddLight(bounce, before.throughput * emitted);
+      }
     }
-    Path path = paths.states()[i];
+    Path path = before;
     path.radiance += path.throughput * local;
     path.throughput = path.throughput * specular;
 

@@ -40,7 +40,9 @@ class WhittedIntegrator final : public Integrator {
 
   // The stages of one bounce, in this order.
   template <class Observer>
-  void EndMisses(Batch* batch, const SampleOutput& output, Observer* observer) const;
+  void EndMisses(uint32_t bounce, Batch* batch, const SampleOutput& output,
+                 Observer* observer) const;
+  void RecordSurfaces(Batch* batch, const SampleOutput& output) const;
   template <class Observer>
   void FindSurfaces(Batch* batch, Observer* observer) const;
   void FindShadows(const Light& light, RayOrder order, Batch* batch) const;

@@ -45,6 +45,13 @@ SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   return world;
 }
 
+Vec2 Scene::TextureCoordinatesAt(const Ray& ray, const HitRecord& hit) const {
+  const Shape& shape = *objects_[hit.object].shape;
+  SurfacePoint local = shape.SurfaceAt(objects_[hit.object].ToObject(ray), hit);
+  shape.AddTextureCoordinates(hit, &local);
+  return local.uv;
+}
+
 Bounds3 Scene::Bounds() const {
   Bounds3 bounds;
   for (const SceneObject& object : objects_) {

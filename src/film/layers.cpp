@@ -16,6 +16,7 @@ constexpr LayerSet kLightLayers{{Layer::kDirect, Layer::kIndirect, Layer::kEmiss
 constexpr float kDepthOfNothing = 1e10f;
 
 void AddTo(std::array<ExactSum, 3>* sums, Rgb value) {
+  if (value == Rgb()) return;  // Most samples have no light of one kind or another.
   // What is recorded may be infinite or no number where the radiance is neither: a colour of 0 can
   // hide it.
   const auto finite = [](float x) { return x == x ? x : 0; };

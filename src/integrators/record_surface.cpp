@@ -7,12 +7,15 @@ SampleLayers::Surface RecordSurface(const Scene& scene, const Ray& ray, const Hi
   const auto towards_camera = [&](Vec3 n) { return Dot(n, ray.direction) > 0 ? -n : n; };
   SampleLayers::Surface surface;
   surface.object = hit.object + 1;
-  surface.material = scene.objects()[hit.object].material + 1;
+  const SceneObject& object = scene.objects()[hit.object];
+  surface.material = object.material + 1;
   surface.depth = scene.camera().DepthOf(point.p);
   surface.position = point.p;
   surface.n_shading = towards_camera(point.n_shading);
   surface.n_geometric = towards_camera(point.n_geometric);
-  if (needs_uv) surface.uv = scene.TextureCoordinatesAt(ray, hit);
+  if (needs_uv) {
+    surface.uv = object.is_textured ? point.uv : scene.TextureCoordinatesAt(ray, hit);
+  }
   return surface;
 }
 

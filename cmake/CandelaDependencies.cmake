@@ -5,4 +5,5 @@ find_package(fmt REQUIRED)
 find_package(TBB REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(ZLIB REQUIRED)
+find_path(CANDELA_XXHASH_FOLDER xxhash.h REQUIRED)  # A header only.
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)

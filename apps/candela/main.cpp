@@ -35,8 +35,8 @@ std::string Help() {
       "  candela compare arch.png expected.png --difference difference.png\n"
       "\n"
       "Exit status: 0 done, 1 wrong input, 2 wrong command line, 3 output cannot be\n"
-      "written, 4 not enough memory, 6 pictures differ beyond the threshold of compare,\n"
-      "128+n stopped by signal n.\n";
+      "written, 4 not enough memory, 5 stopped and saved, 6 pictures differ beyond the\n"
+      "threshold of compare, 128+n stopped by signal n.\n";
   return help;
 }
 

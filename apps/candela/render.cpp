@@ -8,16 +8,17 @@
 
 #include "candela/commands.h"
 #include "candela/render_settings.h"
+#include "candela/table_options.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/console.h"
 #include "driver/render_request.h"
-#include "film/pixel_filter.h"
 #include "image/image_file.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "integrators/whitted.h"
 #include "math/elementary.h"
+#include "sampling/sampler.h"
 
 namespace candela {
 namespace {
@@ -29,42 +30,6 @@ constexpr const char* kSummary =
 /// How many samples a pixel gets where nobody says it.
 constexpr uint32_t kFilteredSamples = 16;
 constexpr uint32_t kPathSamples = 64;
-
-std::vector<std::string_view> FilterNames() {
-  std::vector<std::string_view> names;
-  for (const PixelFilterEntry& entry : PixelFilters()) names.push_back(entry.name);
-  return names;
-}
-
-std::vector<std::string_view> IntegratorNames() {
-  std::vector<std::string_view> names;
-  for (const IntegratorEntry& entry : IntegratorEntries()) names.push_back(entry.name);
-  return names;
-}
-
-/// "whitted: the course's ...; path: ..." for the help.
-std::string IntegratorSummaries() {
-  std::string summaries = "how light is computed (default whitted)";
-  for (const IntegratorEntry& entry : IntegratorEntries()) {
-    summaries += fmt::format("; {}: {}", entry.name, entry.summary);
-  }
-  return summaries;
-}
-
-std::vector<std::string_view> ToneCurveNames() {
-  std::vector<std::string_view> names;
-  for (const ToneCurve& curve : ToneCurves()) names.push_back(curve.name);
-  return names;
-}
-
-/// "none: cuts off ...; srgb: ..." for the help.
-std::string ToneCurveSummaries() {
-  std::string summaries = "how .png files show the light (default none, with path srgb)";
-  for (const ToneCurve& curve : ToneCurves()) {
-    summaries += fmt::format("; {}: {}", curve.name, curve.description);
-  }
-  return summaries;
-}
 
 /// Options that are settings of a scene as well.
 constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
@@ -110,6 +75,9 @@ class RenderCommand {
     if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
     if (const auto done = CheckTone(); !done) return done;
+    if (const auto done = CheckLayers(); !done) return done;
+    if (const auto done = CheckCheckpoint(); !done) return done;
+    request_.output_options.has_facts = true;
     request_.output_options.png_bits = png_bits_ == "16" ? 16 : 8;
     return common_.FinishFiles(parser_);
   }
@@ -118,6 +86,7 @@ class RenderCommand {
   Result<void> Finish() {
     FinishSettings();
     if (const auto done = common_.FinishSize(parser_); !done) return done;
+    if (const auto done = CheckAbilities(); !done) return done;
     return FinishWindow();
   }
 
@@ -125,16 +94,23 @@ class RenderCommand {
   Result<void> CheckPixel();
   Result<void> FinishIsa();
   Result<void> CheckTone() const;
+  Result<void> CheckLayers() const;
+  Result<void> CheckCheckpoint() const;
+  /// Whether the integrator can do what is asked of it.
+  Result<void> CheckAbilities() const;
   void FinishSamples();
+  void FinishSampler();
   void FinishGrid();
   void FinishTone();
   Result<void> FinishWindow();
+  /// Whether the picture is one of light transport, which has defaults of its own.
+  bool IsPhysical() const { return FindIntegrator(request_.integrator)->is_physical; }
 
   RenderRequest request_;
   ArgParser parser_;
   CommonOptions common_;
   bool jitter_ = false;
-  std::string png_bits_ = "8";
+  std::string png_bits_ = "8", sampler_ = "sobol";
   std::optional<std::string> filter_, grid_, isa_, tonemap_;
   std::optional<float> exposure_;
   std::optional<uint32_t> samples_;
@@ -150,7 +126,7 @@ void RenderCommand::AddOptions() {
   common_.AddPictures(&parser_);
   parser_.Option("png-bits", {Choice("BITS", &png_bits_, {"8", "16"})},
                  "bits of each channel in .png files: 8 (default) or 16");
-
+  parser_.Option("aov", {LayerNames(&render.layers)}, LayerSummaries());
   parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
                  kInFilm);
   parser_.Option("exposure", {Real("EV", &exposure_)},
@@ -165,31 +141,39 @@ void RenderCommand::AddOptions() {
                  "and Y1, counted from the top left corner");
   parser_.Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
                  "whether the positions of the outermost pixels lie on the edge of the view, as in "
-                 "the course, or half a pixel inside (default corners, with path centres)",
+                 "the course, or half a pixel inside (default corners, with path and light_trace "
+                 "centres)",
                  kInFilm);
 
   parser_.Group("Light");
   parser_.Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
                  IntegratorSummaries(), kInRender);
-  common_.AddLight(&parser_, "0, with path as many as it takes");
+  common_.AddLight(&parser_, "0, with path and light_trace as many as it takes");
   IntegratorOptions& light = request_.integrator_options;
   parser_.Option("diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
-                 "with path: of the bounces, those by surfaces that scatter (default all)",
+                 "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
                  kInRender);
   parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
-                 "with path: those by mirrors (default all)", kInRender);
+                 "with path and light_trace: those by mirrors (default all)", kInRender);
   parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
-                 "with path: those through surfaces (default all)", kInRender);
+                 "with path and light_trace: those through surfaces (default all)", kInRender);
 
   parser_.Group("Samples");
   parser_.Option("samples", {Whole("N", &samples_, 1)},
-                 fmt::format("samples of each pixel (default 1, with --filter {}, with path {})",
+                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
+                             "light_trace {})",
                              kFilteredSamples, kPathSamples),
                  kInRender);
   parser_.Option(
       "filter", {Choice("NAME", &filter_, FilterNames())},
       fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
       kInFilm);
+  parser_.Option("sampler", {Choice("NAME", &sampler_, SamplerNames())}, SamplerSummaries(),
+                 kInRender);
+  parser_.Option("clamp", {Positive("X", &render.clamp)},
+                 "darken samples of which a channel is above X, colour kept: less noise, but the "
+                 "picture loses light, and it is said how much (default off)",
+                 kInRender);
   parser_.Flag("jitter", &jitter_,
                "the course's 4x4 samples of each pixel, with --filter tent weighed");
   parser_.Option("seed", {Whole("N", &render.seed, 0, 4294967295)},
@@ -201,6 +185,11 @@ void RenderCommand::AddOptions() {
   parser_.Option("isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
                  "instruction set of the search for hits: scalar, avx2 or avx512 (default the best "
                  "that the processor knows); changes nothing in the picture");
+  parser_.Option("checkpoint", {File("FILE", &request_.checkpoint)},
+                 "keep what was rendered, at the end, when stopped, and now and then, and go on "
+                 "from there when the file exists: as far as --samples says");
+  parser_.Option("checkpoint-every", {NotNegative("SECONDS", &request_.checkpoint_seconds)},
+                 "how often in a long render (default 300)");
   parser_.Flag("quiet", &request_.quiet, "show no progress");
   parser_.Flag("stats", &request_.print_stats, "print times, rays and memory to stderr");
   parser_.Option("stats-json", {File("FILE", &request_.stats_json)}, "write the same as JSON");
@@ -237,7 +226,7 @@ void RenderCommand::FinishSettings() {
   FinishTone();
   auto& bounces = request_.integrator_options.bounces;
   if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
-  request_.integrator_options.seed = request_.render.seed;
+  FinishSampler();
 }
 
 Result<void> RenderCommand::CheckJitter() const {
@@ -255,15 +244,49 @@ void RenderCommand::FinishSamples() {
     render.samples = kStrataSamples;
     return;
   }
-  const uint32_t usual = request_.integrator == "path" ? kPathSamples
-                         : filter_                     ? kFilteredSamples
-                                                       : 1;
+  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
   if (!samples_) samples_ = usual;
   render.samples = *samples_;
   render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
   if (render.pattern == SamplePattern::kCentre) return;
   if (!filter_) filter_ = "box";
   render.filter = *filter_;
+}
+
+void RenderCommand::FinishSampler() {
+  RenderOptions& render = request_.render;
+  render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
+  render.drops_negative = IsPhysical();
+  request_.integrator_options.seed = render.seed;
+  request_.integrator_options.sampler = render.sampler;
+}
+
+Result<void> RenderCommand::CheckCheckpoint() const {
+  if (!request_.checkpoint) {
+    return parser_.Has("checkpoint-every") ? UsageError("--checkpoint-every goes with --checkpoint")
+                                           : Result<void>();
+  }
+  if (!request_.output) return UsageError("--checkpoint keeps the picture of --output: give both");
+  if (request_.render.layers.IsEmpty()) return {};
+  return UsageError("--checkpoint and --aov: a checkpoint does not hold layers");
+}
+
+Result<void> RenderCommand::CheckLayers() const {
+  if (request_.render.layers.IsEmpty()) return {};
+  if (request_.output && FormatOf(*request_.output) == ImageFormat::kExr) return {};
+  return UsageError("--aov: layers go into the picture of --output, which has to be an .exr file");
+}
+
+Result<void> RenderCommand::CheckAbilities() const {
+  const IntegratorEntry& integrator = *FindIntegrator(request_.integrator);
+  if (!request_.render.layers.IsEmpty() && !integrator.has_layers) {
+    return UsageError(fmt::format("--aov: the integrator '{}' has no layers", integrator.name));
+  }
+  if (request_.checkpoint && integrator.has_light_paths) {
+    return UsageError(fmt::format("--checkpoint: what '{}' has done cannot be kept",
+                                  integrator.name));
+  }
+  return {};
 }
 
 Result<void> RenderCommand::FinishWindow() {
@@ -316,7 +339,7 @@ Result<void> RenderCommand::CheckTone() const {
 }
 
 void RenderCommand::FinishTone() {
-  if (!tonemap_) tonemap_ = request_.integrator == "path" ? "srgb" : "none";
+  if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
   // Without both the course's quantisation stays as it is.
   if (*tonemap_ == "none" && !exposure_) return;
   if (!exposure_) exposure_ = 0.0f;
@@ -324,7 +347,7 @@ void RenderCommand::FinishTone() {
 }
 
 void RenderCommand::FinishGrid() {
-  if (!grid_) grid_ = request_.integrator == "path" ? "centres" : "corners";
+  if (!grid_) grid_ = IsPhysical() ? "centres" : "corners";
   request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
 }
 

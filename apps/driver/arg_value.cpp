@@ -62,6 +62,16 @@ ArgValue Real(std::string label, std::optional<float>* target) {
   return RealInto(std::move(label), target);
 }
 
+ArgValue Positive(std::string label, std::optional<float>* target) {
+  const auto store = [target](std::string_view text) {
+    const auto value = ParseFloat(text);
+    if (!value || !(*value > 0)) return false;
+    *target = *value;
+    return true;
+  };
+  return {std::move(label), "a number above 0", store, {}, [target] { return Show(*target); }};
+}
+
 ArgValue NotNegative(std::string label, std::optional<double>* target) {
   const auto store = [target](std::string_view text) {
     const auto value = ParseDouble(text);

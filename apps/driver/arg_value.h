@@ -61,6 +61,8 @@ ArgValue Whole(std::string label, Target* target, int64_t least, int64_t most = 
 /// A number that is finite as a float.
 ArgValue Real(std::string label, float* target);
 ArgValue Real(std::string label, std::optional<float>* target);
+/// A number above 0 that is finite as a float.
+ArgValue Positive(std::string label, std::optional<float>* target);
 /// A number of at least 0.
 ArgValue NotNegative(std::string label, std::optional<double>* target);
 

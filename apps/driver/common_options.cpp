@@ -48,6 +48,7 @@ std::vector<NamedOutput> Outputs(const RenderRequest& request, const ArgParser& 
   if (request.normals) outputs.push_back({parser.Spell("normals"), *request.normals});
   if (request.depth) outputs.push_back({parser.Spell("depth"), request.depth->path});
   if (request.stats_json) outputs.push_back({parser.Spell("stats-json"), *request.stats_json});
+  if (request.checkpoint) outputs.push_back({parser.Spell("checkpoint"), *request.checkpoint});
   return outputs;
 }
 

@@ -16,6 +16,9 @@ namespace candela {
 struct OutputOptions {
   int png_bits = 8;  ///< 8 or 16.
   ToneMapping tone;  ///< Of the colour picture.
+  /// An EXR file of it tells how it was made. Not by the course program, whose files hold what the
+  /// course says.
+  bool has_facts = false;
 };
 
 /// A depth map and the range of distances that it shows from black to white.
@@ -37,6 +40,10 @@ struct RenderRequest {
   OutputOptions output_options;
   int threads = 0;         ///< 0: one per processor.
   std::optional<Isa> isa;  ///< Nothing: the best that the processor knows.
+
+  /// Where what was rendered is kept, to be continued, and every how many seconds of a long render.
+  std::optional<std::filesystem::path> checkpoint;
+  std::optional<double> checkpoint_seconds;
 
   bool quiet = false;
   bool print_stats = false;

@@ -9,12 +9,16 @@
 #include "base/files.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/signals.h"
 #include "base/text.h"
+#include "driver/checkpoint_file.h"
 #include "driver/console.h"
 #include "driver/load_scene.h"
 #include "driver/map_images.h"
+#include "driver/picture_facts.h"
 #include "driver/picture_files.h"
 #include "driver/progress_reporter.h"
+#include "driver/render_notes.h"
 #include "driver/render_report.h"
 #include "driver/render_request.h"
 #include "film/encode_film.h"
@@ -26,6 +30,8 @@
 
 namespace candela {
 namespace {
+
+constexpr double kCheckpointSeconds = 300;
 
 /// Adds the time that a step takes to the seconds of its phase.
 template <class Step>
@@ -70,6 +76,7 @@ class RenderRun {
   std::vector<std::filesystem::path> Outputs() const {
     std::vector<std::filesystem::path> paths = Pictures();
     if (request_.stats_json) paths.push_back(*request_.stats_json);
+    if (request_.checkpoint) paths.push_back(*request_.checkpoint);
     return paths;
   }
 
@@ -77,7 +84,11 @@ class RenderRun {
     for (const auto& path : Pictures()) {
       if (auto checked = CheckPictureOutput(path); !checked) return checked;
     }
-    return request_.stats_json ? CheckOutput(*request_.stats_json) : Result<void>();
+    for (const auto& path : {request_.stats_json, request_.checkpoint}) {
+      if (!path) continue;
+      if (auto checked = CheckOutput(*path); !checked) return checked;
+    }
+    return {};
   }
 
   Result<void> LoadScene() {
@@ -111,7 +122,8 @@ class RenderRun {
   }
 
   Result<void> CheckMemory() const {
-    const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth);
+    const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth,
+                                         request_.checkpoint.has_value());
     const uint64_t available = AvailableMemory();
     if (need <= available) return {};
     const double gibibyte = 1 << 30;
@@ -135,28 +147,53 @@ class RenderRun {
   }
 
   Result<void> RenderImage(const Integrator& integrator) {
-    RenderJob job(integrator, request_.render);
+    RenderJob job(integrator, request_.render,
+                  request_.checkpoint ? Film::Keep::kSums : Film::Keep::kColours);
     EncodeOptions encoding = Encoding();
     encoding.tone = request_.output_options.tone;
-    FilmEncoder encoder(job.film(), *FormatOf(*request_.output), encoding);
-    const CancelToken never;
-    auto done = Timed(&statistics_.seconds.render, [&] {
-      const ProgressReporter progress(job, request_.quiet);
-      return job.Run(never, &encoder);
-    });
+    const ImageFormat format = *FormatOf(*request_.output);
+    const bool has_facts = format == ImageFormat::kExr && request_.output_options.has_facts;
+    std::string hash;
+    if (has_facts || request_.checkpoint) {
+      Result<std::string> hashed = HashScene(loaded_->spec);
+      if (!hashed) return hashed.error();
+      hash = *std::move(hashed);
+    }
+    if (has_facts) encoding.attributes = PictureAttributes(request_, hash);
+    FilmEncoder encoder(job.film(), format, encoding);
+    auto done = Timed(&statistics_.seconds.render, [&] { return RunJob(hash, &job, &encoder); });
     if (!done) return done;
     statistics_.rays += job.Rays();
     statistics_.dropped_samples = job.film().DroppedSamples();
-    if (statistics_.dropped_samples > 0) {
-      PrintWarning(request_.program, fmt::format("{} samples were not finite and are left out",
-                                                 statistics_.dropped_samples));
-    }
-    if (statistics_.rays.crowded > 0) {
-      PrintWarning(request_.program,
-                   "in some places light is in more than four bodies that overlap; the others are "
-                   "taken as if they were not there");
-    }
+    PrintRenderNotes(request_.program, job);
     return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
+  }
+
+  Result<void> RunJob(const std::string& scene_hash, RenderJob* job, FilmEncoder* encoder) const {
+    if (!request_.checkpoint) {
+      const ProgressReporter progress(*job, request_.quiet);
+      return job->Run(CancelToken(), encoder);
+    }
+    CheckpointFile file(*request_.checkpoint, OwnerOfCheckpoint(request_, scene_hash),
+                        request_.checkpoint_seconds.value_or(kCheckpointSeconds), job);
+    if (auto loaded = file.Load(); !loaded) return loaded;
+    CancelToken stop;
+    const CancelOnStopSignals on_signals(&stop);
+    const auto run = [&] {
+      const ProgressReporter progress(*job, request_.quiet);
+      return job->Run(stop, encoder, [&] { return file.SaveWhenDue(); });
+    };
+    Result<void> done = run();
+    const bool is_stopped = !done && done.error().code == ErrorCode::kStopped;
+    if (!done && !is_stopped) return done;
+    if (auto saved = file.Save(); !saved) return saved;
+    if (!is_stopped) return done;
+    PrintWarning(request_.program,
+                 fmt::format("stopped; {} of {} samples are kept in {}, and the same command line "
+                             "goes on from there",
+                             job->SamplesInFilm(), job->SamplesTotal(),
+                             Quote(request_.checkpoint->string())));
+    return Error{ErrorCode::kStopped, {}};
   }
 
   Result<void> WriteMaps() {

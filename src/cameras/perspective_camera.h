@@ -29,6 +29,9 @@ class PerspectiveCamera {
   /// middle, for small distances in proportion.
   float AnglePerUnit() const { return Length(up_) / Length(forward_); }
 
+  /// How far ahead of the camera a point lies, along the direction of view.
+  float DepthOf(Vec3 p) const { return Dot(p - center_, view_); }
+
   /// Whether all rays go through one point.
   bool IsPinhole() const { return lens_radius_ == 0; }
 

@@ -16,6 +16,29 @@ Image ToImage(const Film& film) {
   return picture;
 }
 
+namespace {
+
+/// Colours and layers of a film in one file.
+Result<std::string> EncodeLayers(const Film& film, const EncodeOptions& options) {
+  const PixelWindow& window = film.Window();
+  std::vector<ExrChannel> channels;
+  const float* colours = film.Row(window.y0).data();
+  for (const char* name : {"R", "G", "B"}) channels.push_back({name, false, colours++, 3});
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    const auto layer = static_cast<Layer>(i);
+    if (!film.RecordedLayers().Has(layer)) continue;
+    const LayerEntry& entry = EntryOf(layer);
+    const uint32_t* words = film.LayerWords(layer).data();
+    for (const char channel : entry.channels) {
+      channels.push_back({std::string(entry.name) + "." + channel, entry.is_whole, words++,
+                          static_cast<int>(entry.channels.size())});
+    }
+  }
+  return EncodeExr(window.Width(), window.Height(), channels, options.attributes);
+}
+
+}  // namespace
+
 FilmEncoder::FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options)
     : film_(film), format_(format), options_(options) {
   if (format != ImageFormat::kPng || options.png_bits != 8) return;
@@ -45,6 +68,10 @@ void FilmEncoder::Advance(int y_end) {
 }
 
 Result<std::string> FilmEncoder::Finish() {
+  if (!film_.RecordedLayers().IsEmpty()) {
+    CHECK(format_ == ImageFormat::kExr);
+    return EncodeLayers(film_, options_);
+  }
   if (!png_) return EncodeImage(ToImage(film_), format_, options_);
   Advance(film_.Window().Height());
   return png_->Finish();

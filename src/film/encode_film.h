@@ -19,7 +19,8 @@ Image ToImage(const Film& film);
 /// is compressed row by row. The others wait for the whole picture.
 class FilmEncoder {
  public:
-  /// The film has to outlive it.
+  /// The film has to outlive it. One that records layers is for EXR only, as layers beside R, G and
+  /// B; the others hold colours.
   FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options);
 
   /// Says that the rows before `y_end`, counted in the film's window, are final. Rows only get

@@ -9,14 +9,15 @@
 namespace candela {
 namespace {
 
-/// Written so that NaN is not usable. Negative light is: the course's model knows lights that take
-/// away, and a channel below 0 is not to darken the others.
-bool IsUsable(float radiance) {
-  return std::abs(radiance) <= std::numeric_limits<float>::max();
+/// Written so that NaN is not usable.
+bool IsUsable(float radiance, bool takes_negative) {
+  return std::abs(radiance) <= std::numeric_limits<float>::max() &&
+         (takes_negative || radiance >= 0);
 }
 
-bool IsUsable(Rgb radiance) {
-  return IsUsable(radiance.x) && IsUsable(radiance.y) && IsUsable(radiance.z);
+bool IsUsable(Rgb radiance, bool takes_negative) {
+  return IsUsable(radiance.x, takes_negative) && IsUsable(radiance.y, takes_negative) &&
+         IsUsable(radiance.z, takes_negative);
 }
 
 size_t PixelCount(const PixelWindow& window) {
@@ -38,21 +39,25 @@ Rgb PixelSums::Mean() const {
   return ToFloat({red.ToDouble() / divisor, green.ToDouble() / divisor, blue.ToDouble() / divisor});
 }
 
-void FilmTile::Add(int x, int y, Rgb radiance, float weight) {
-  DCHECK(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
-  if (!IsUsable(radiance)) {
+bool FilmTile::Add(int x, int y, Rgb radiance, float weight) {
+  if (!IsUsable(radiance, takes_negative_)) {
     ++dropped_samples_;
-    return;
+    return false;
   }
-  const int column = x - window_.x0;
-  const int row = y - window_.y0;
-  sums_[static_cast<size_t>(row) * static_cast<size_t>(window_.Width()) +
-        static_cast<size_t>(column)]
-      .Add(radiance, weight);
+  sums_[IndexOf(x, y)].Add(radiance, weight);
+  return true;
 }
 
-Film::Film(PixelWindow window, Keep keep) : window_(window), colours_(3 * PixelCount(window)) {
+Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers)
+    : window_(window),
+      takes_negative_(negative == Negative::kTake),
+      recorded_(layers),
+      colours_(3 * PixelCount(window)) {
   CHECK(window.x0 < window.x1 && window.y0 < window.y1);
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    if (!layers.Has(static_cast<Layer>(i))) continue;
+    layer_words_[i] = ZeroedArray<uint32_t>(Layers()[i].channels.size() * PixelCount(window));
+  }
   if (keep == Keep::kSums) sums_ = ZeroedArray<PixelSums>(PixelCount(window));
 }
 
@@ -66,7 +71,10 @@ void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
   CHECK(window_.Contains(window));
   tile->window_ = window;
   tile->dropped_samples_ = 0;
+  tile->takes_negative_ = takes_negative_;
   tile->sums_.assign(PixelCount(window), PixelSums());
+  tile->recorded_ = recorded_;
+  tile->layers_.assign(recorded_.IsEmpty() ? 0 : PixelCount(window), PixelLayers());
   if (!sums_) return;
   const auto width = static_cast<size_t>(window.Width());
   for (int y = window.y0; y < window.y1; ++y) {
@@ -77,24 +85,51 @@ void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
 
 void Film::EndTile(const FilmTile& tile) {
   const PixelSums* sums = tile.sums_.data();
+  const PixelLayers* layers = tile.layers_.empty() ? nullptr : tile.layers_.data();
   for (int y = tile.window_.y0; y < tile.window_.y1; ++y) {
     for (int x = tile.window_.x0; x < tile.window_.x1; ++x, ++sums) {
       const size_t index = IndexOf(x, y);
-      const Rgb colour = sums->Mean();
-      colours_[3 * index] = colour.x;
-      colours_[3 * index + 1] = colour.y;
-      colours_[3 * index + 2] = colour.z;
+      DevelopColour(index, *sums);
       if (sums_) sums_[index] = *sums;
+      if (layers) DevelopLayers(index, *sums, *layers++);
     }
   }
   dropped_samples_.fetch_add(tile.dropped_samples_, std::memory_order_relaxed);
 }
 
-void Film::SetOnlySample(int x, int y, Rgb radiance) {
-  DCHECK(!sums_);
-  if (!IsUsable(radiance)) {
+void Film::DevelopColour(size_t index, const PixelSums& sums) {
+  const Rgb colour = sums.Mean();
+  colours_[3 * index] = colour.x;
+  colours_[3 * index + 1] = colour.y;
+  colours_[3 * index + 2] = colour.z;
+}
+
+std::span<const PixelSums> Film::Sums() const {
+  CHECK(sums_);
+  return {&sums_[0], PixelCount(window_)};
+}
+
+void Film::Restore(std::span<const PixelSums> sums) {
+  CHECK(sums_ && sums.size() == PixelCount(window_));
+  for (size_t i = 0; i < sums.size(); ++i) {
+    sums_[i] = sums[i];
+    DevelopColour(i, sums[i]);
+  }
+}
+
+void Film::DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers& layers) {
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    if (!layer_words_[i]) continue;
+    const LayerEntry& entry = Layers()[i];
+    entry.develop(layers, sums, &layer_words_[i][entry.channels.size() * index]);
+  }
+}
+
+bool Film::SetOnlySample(int x, int y, Rgb radiance) {
+  DCHECK(!sums_ && recorded_.IsEmpty());
+  if (!IsUsable(radiance, takes_negative_)) {
     dropped_samples_.fetch_add(1, std::memory_order_relaxed);
-    return;
+    return false;
   }
   // 0, and floats from 2^-20 on, are multiples of what a sum resolves.
   const auto developed = [](float value) {
@@ -105,11 +140,18 @@ void Film::SetOnlySample(int x, int y, Rgb radiance) {
   colour[0] = developed(radiance.x);
   colour[1] = developed(radiance.y);
   colour[2] = developed(radiance.z);
+  return true;
 }
 
 Rgb Film::Pixel(int x, int y) const {
   const float* colour = &colours_[3 * IndexOf(x, y)];
   return {colour[0], colour[1], colour[2]};
+}
+
+std::span<const uint32_t> Film::LayerWords(Layer layer) const {
+  const auto i = static_cast<size_t>(layer);
+  CHECK(layer_words_[i]);
+  return {&layer_words_[i][0], Layers()[i].channels.size() * PixelCount(window_)};
 }
 
 std::span<const float> Film::Row(int y) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "film/layers.h"
 #include "math/exact_sum.h"
 #include "math/spectrum.h"
 
@@ -62,16 +64,33 @@ struct PixelSums {
 class FilmTile {
  public:
   /// Adds a sample of the pixel (x, y) of the whole picture, which must lie in the tile's window. A
-  /// radiance with a NaN or infinite component is dropped, weight included, and counted.
-  void Add(int x, int y, Rgb radiance, float weight);
+  /// radiance that the film does not take (see `Film`) is dropped, weight included, and counted;
+  /// then the answer is false.
+  bool Add(int x, int y, Rgb radiance, float weight);
+
+  /// Adds to the film's layers what else belongs to a sample that `Add` has taken; see
+  /// `PixelLayers::Add`.
+  void AddLayers(int x, int y, const SampleLayers& sample, Rgb radiance, float weight,
+                 float distance, uint32_t index) {
+    layers_[IndexOf(x, y)].Add(recorded_, sample, radiance, weight, distance, index);
+  }
 
   const PixelWindow& Window() const { return window_; }
 
  private:
   friend class Film;
 
+  size_t IndexOf(int x, int y) const {
+    DCHECK(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
+    return static_cast<size_t>(y - window_.y0) * static_cast<size_t>(window_.Width()) +
+           static_cast<size_t>(x - window_.x0);
+  }
+
   PixelWindow window_;
   std::vector<PixelSums> sums_;
+  LayerSet recorded_;
+  std::vector<PixelLayers> layers_;  ///< Empty for a film without layers.
+  bool takes_negative_ = true;
   uint64_t dropped_samples_ = 0;
 };
 
@@ -82,14 +101,20 @@ class FilmTile {
 /// Different tiles may be in work on different threads at the same time as long as their windows do
 /// not overlap. Passes over the same pixels continue the sums, so 100 samples and later 400 more
 /// give the bytes of 500.
+///
+/// A radiance with a NaN or infinite component is never taken, a negative one where it is said so.
 class Film {
  public:
   enum class Keep {
     kColours,  ///< 12 bytes per pixel; each pixel gets all its samples in one tile
     kSums,     ///< 76 bytes per pixel; tiles may come again with more samples
   };
+  enum class Negative {
+    kTake,  ///< The course's model knows lights that take away.
+    kDrop,  ///< Where light is what it is, a negative sample is a mistake.
+  };
 
-  Film(PixelWindow window, Keep keep);
+  Film(PixelWindow window, Keep keep, Negative negative = Negative::kTake, LayerSet layers = {});
 
   const PixelWindow& Window() const { return window_; }
 
@@ -100,8 +125,9 @@ class Film {
   void EndTile(const FilmTile& tile);
 
   /// What a tile with one sample of weight 1 for this pixel gives, at a fraction of the cost. For a
-  /// film that keeps colours only; different pixels may be set at the same time.
-  void SetOnlySample(int x, int y, Rgb radiance);
+  /// film that keeps colours only, and no layers; different pixels may be set at the same time.
+  /// False when the sample was dropped.
+  bool SetOnlySample(int x, int y, Rgb radiance);
 
   /// The colour of a pixel of the whole picture; black before its tile has ended.
   Rgb Pixel(int x, int y) const;
@@ -109,15 +135,31 @@ class Film {
   /// Red, green, blue of the pixels of a row, from left to right; y counts in the whole picture.
   std::span<const float> Row(int y) const;
 
-  /// How many samples were dropped so far because they were not finite.
+  bool KeepsSums() const { return static_cast<bool>(sums_); }
+  /// Of a film that keeps them: those of all pixels, row after row.
+  std::span<const PixelSums> Sums() const;
+  /// Goes on from such sums, as many as there are pixels.
+  void Restore(std::span<const PixelSums> sums);
+
+  LayerSet RecordedLayers() const { return recorded_; }
+
+  /// The values of a layer that is recorded, as `LayerEntry::develop` gives them, row after row.
+  std::span<const uint32_t> LayerWords(Layer layer) const;
+
+  /// How many samples were dropped so far.
   uint64_t DroppedSamples() const { return dropped_samples_.load(std::memory_order_relaxed); }
 
  private:
   size_t IndexOf(int x, int y) const;
+  void DevelopColour(size_t index, const PixelSums& sums);
+  void DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers& layers);
 
   PixelWindow window_;
+  bool takes_negative_;
+  LayerSet recorded_;
   ZeroedArray<float> colours_;
-  ZeroedArray<PixelSums> sums_;  ///< null for `Keep::kColours`
+  ZeroedArray<PixelSums> sums_;                                 ///< null for `Keep::kColours`
+  std::array<ZeroedArray<uint32_t>, kLayerCount> layer_words_;  ///< null for those not recorded
   std::atomic<uint64_t> dropped_samples_{0};
 };
 

@@ -29,10 +29,19 @@ double Mitchell(double x) {
   return ((-7 * x + 36) * x - 60) * x + 32;
 }
 
+/// The window of four terms of F. Harris, "On the use of windows for harmonic analysis with the
+/// discrete Fourier transform" (1978), as wide as renderers make it.
+double BlackmanHarris(double x) {
+  const double degrees = 120 * x;  // Half a turn at the radius.
+  return 0.35875 + 0.48829 * CosDegrees(degrees) + 0.14128 * CosDegrees(2 * degrees) +
+         0.01168 * CosDegrees(3 * degrees);
+}
+
 constexpr PixelFilterEntry kFilters[] = {
     {"box", "the mean over the square of the pixel", 0.5f, Box},
     {"tent", "falls off linearly to the centres of the neighbours", 1, Tent},
     {"gaussian", "soft, without ringing (deviation 0.5)", 1.5f, Gaussian},
+    {"blackman_harris", "soft, and dies away smoothly", 1.5f, BlackmanHarris},
     {"mitchell", "sharper, with slightly negative sides (B = C = 1/3)", 2, Mitchell},
 };
 

@@ -28,11 +28,28 @@ Result<Image> DecodeExr(std::string_view bytes, int64_t most_bytes = kMostImageB
 /// All channels of such a file.
 Result<ExrPicture> DecodeExrChannels(std::string_view bytes, int64_t most_bytes = kMostImageBytes);
 
-/// The bytes of a scanline file with 32-bit floats and ZIP compression: Y, YA, RGB or RGBA by the
-/// number of channels (1 to 4).
-Result<std::string> EncodeExr(const Image& image);
+/// A channel to be written: 32-bit samples in rows from the top, somewhere in memory.
+struct ExrChannel {
+  std::string name;
+  bool is_whole;  ///< The samples are `uint32_t`, not float.
+  const void* samples;
+  int stride;  ///< Samples from one pixel to the next.
+};
 
-/// The same with a name for each channel; the names differ from each other.
+/// A text that says something about the picture.
+struct ExrAttribute {
+  std::string name, value;
+};
+
+/// The bytes of a scanline file with ZIP compression. The names of channels differ from each other,
+/// as do those of attributes.
+Result<std::string> EncodeExr(int width, int height, std::span<const ExrChannel> channels,
+                              std::span<const ExrAttribute> attributes = {});
+
+/// The same for floats: Y, YA, RGB or RGBA by the number of channels (1 to 4).
+Result<std::string> EncodeExr(const Image& image, std::span<const ExrAttribute> attributes = {});
+
+/// The same with a name for each channel.
 Result<std::string> EncodeExr(const Image& image, std::span<const std::string> channels);
 
 }  // namespace candela

@@ -10,6 +10,7 @@ namespace {
 
 // Level 4 of zlib: most of what level 6 gains on float pictures, in half the time.
 constexpr int kZipLevel = 4;
+constexpr int kSampleBytes = 4;
 
 int64_t AppendBytes(exr_const_context_t, void* user_data, const void* buffer, uint64_t size,
                     uint64_t offset, exr_stream_error_func_ptr_t) {
@@ -23,19 +24,33 @@ int64_t AppendBytes(exr_const_context_t, void* user_data, const void* buffer, ui
   return static_cast<int64_t>(size);
 }
 
-exr_result_t WriteHeader(exr_context_t context, const Image& image,
-                         std::span<const std::string> channels) {
+exr_pixel_type_t TypeOf(const ExrChannel& channel) {
+  return channel.is_whole ? EXR_PIXEL_UINT : EXR_PIXEL_FLOAT;
+}
+
+/// A picture in memory.
+struct Source {
+  int width, height;
+  std::span<const ExrChannel> channels;
+};
+
+exr_result_t WriteHeader(exr_context_t context, const Source& source,
+                         std::span<const ExrAttribute> attributes) {
   int part = 0;
   exr_result_t code = exr_add_part(context, nullptr, EXR_STORAGE_SCANLINE, &part);
   if (code == EXR_ERR_SUCCESS) {
-    code = exr_initialize_required_attr_simple(context, part, image.Width(), image.Height(),
+    code = exr_initialize_required_attr_simple(context, part, source.width, source.height,
                                                EXR_COMPRESSION_ZIP);
   }
   if (code == EXR_ERR_SUCCESS) code = exr_set_zip_compression_level(context, part, kZipLevel);
-  for (const std::string& name : channels) {
+  for (const ExrChannel& channel : source.channels) {
     if (code != EXR_ERR_SUCCESS) break;
-    code = exr_add_channel(context, part, name.c_str(), EXR_PIXEL_FLOAT,
+    code = exr_add_channel(context, part, channel.name.c_str(), TypeOf(channel),
                            EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1);
+  }
+  for (const ExrAttribute& attribute : attributes) {
+    if (code != EXR_ERR_SUCCESS) break;
+    code = exr_attr_set_string(context, part, attribute.name.c_str(), attribute.value.c_str());
   }
   return code == EXR_ERR_SUCCESS ? exr_write_header(context) : code;
 }
@@ -55,13 +70,12 @@ struct Compressor {
   }
 };
 
-exr_result_t WriteBlocks(exr_context_t context, const Image& image,
-                         std::span<const std::string> channels) {
+exr_result_t WriteBlocks(exr_context_t context, const Source& source) {
   int32_t step = 0;
   exr_result_t code = exr_get_scanlines_per_chunk(context, 0, &step);
   exr_encode_pipeline_t pipeline{};
   Compressor compressor{};
-  for (int y = 0; code == EXR_ERR_SUCCESS && y < image.Height(); y += step) {
+  for (int y = 0; code == EXR_ERR_SUCCESS && y < source.height; y += step) {
     exr_chunk_info_t block;
     code = exr_write_scanline_chunk_info(context, 0, y, &block);
     if (code != EXR_ERR_SUCCESS) break;
@@ -71,13 +85,15 @@ exr_result_t WriteBlocks(exr_context_t context, const Image& image,
     for (int c = 0; c < pipeline.channel_count; ++c) {
       // The library keeps the channels in alphabetical order, whatever the order they came in.
       exr_coding_channel_info_t& channel = pipeline.channels[c];
-      const auto found = std::find(channels.begin(), channels.end(), channel.channel_name);
-      const float* first = image.Row(y).data() + (found - channels.begin());
-      channel.user_bytes_per_element = sizeof(float);
-      channel.user_data_type = EXR_PIXEL_FLOAT;
-      channel.user_pixel_stride = image.Channels() * static_cast<int>(sizeof(float));
-      channel.user_line_stride = static_cast<int32_t>(image.RowSize() * sizeof(float));
-      channel.encode_from_ptr = reinterpret_cast<const uint8_t*>(first);
+      const ExrChannel& from =
+          *std::ranges::find(source.channels, channel.channel_name, &ExrChannel::name);
+      const int row = source.width * from.stride * kSampleBytes;
+      channel.user_bytes_per_element = kSampleBytes;
+      channel.user_data_type = TypeOf(from);
+      channel.user_pixel_stride = from.stride * kSampleBytes;
+      channel.user_line_stride = row;
+      channel.encode_from_ptr =
+          static_cast<const uint8_t*>(from.samples) + static_cast<ptrdiff_t>(y) * row;
     }
     if (y == 0) {
       code = exr_encoding_choose_default_routines(context, 0, &pipeline);
@@ -93,12 +109,19 @@ exr_result_t WriteBlocks(exr_context_t context, const Image& image,
 
 }  // namespace
 
-Result<std::string> EncodeExr(const Image& image, std::span<const std::string> channels) {
-  CHECK(static_cast<int>(channels.size()) == image.Channels());
-  if (image.IsEmpty()) return Error{ErrorCode::kUsage, "an EXR file holds at least one pixel"};
-  if (image.RowSize() * sizeof(float) > INT32_MAX) {
+Result<std::string> EncodeExr(int width, int height, std::span<const ExrChannel> channels,
+                              std::span<const ExrAttribute> attributes) {
+  if (width == 0 || height == 0) {
+    return Error{ErrorCode::kUsage, "an EXR file holds at least one pixel"};
+  }
+  auto samples_per_pixel = static_cast<int64_t>(channels.size());
+  for (const ExrChannel& channel : channels) {
+    samples_per_pixel = std::max(samples_per_pixel, int64_t{channel.stride});
+  }
+  if (width * samples_per_pixel * kSampleBytes > INT32_MAX) {
     return Error{ErrorCode::kResources, "the rows are too long for an EXR file"};
   }
+  const Source source{width, height, channels};
   std::string file;
   exr_context_initializer_t init = EXR_DEFAULT_CONTEXT_INITIALIZER;
   init.error_handler_fn = &IgnoreExrMessage;
@@ -106,21 +129,39 @@ Result<std::string> EncodeExr(const Image& image, std::span<const std::string> c
   init.write_fn = &AppendBytes;
   ExrContext context;
   exr_result_t code = exr_start_write(&context.handle, "memory", EXR_WRITE_FILE_DIRECTLY, &init);
-  if (code == EXR_ERR_SUCCESS) code = WriteHeader(context.handle, image, channels);
-  if (code == EXR_ERR_SUCCESS) code = WriteBlocks(context.handle, image, channels);
+  if (code == EXR_ERR_SUCCESS) code = WriteHeader(context.handle, source, attributes);
+  if (code == EXR_ERR_SUCCESS) code = WriteBlocks(context.handle, source);
   // Closing writes the table of blocks, so its result counts.
   if (code == EXR_ERR_SUCCESS) code = exr_finish(&context.handle);
   if (code != EXR_ERR_SUCCESS) return Error{ErrorCode::kOutput, ExrMessage(code)};
   return file;
 }
 
-Result<std::string> EncodeExr(const Image& image) {
+namespace {
+
+Result<std::string> EncodeNamed(const Image& image, std::span<const std::string> names,
+                                std::span<const ExrAttribute> attributes) {
+  CHECK(static_cast<int>(names.size()) == image.Channels());
+  std::vector<ExrChannel> channels;
+  for (const std::string& name : names) {
+    channels.push_back({name, false, image.Samples().data() + channels.size(), image.Channels()});
+  }
+  return EncodeExr(image.Width(), image.Height(), channels, attributes);
+}
+
+}  // namespace
+
+Result<std::string> EncodeExr(const Image& image, std::span<const std::string> channels) {
+  return EncodeNamed(image, channels, {});
+}
+
+Result<std::string> EncodeExr(const Image& image, std::span<const ExrAttribute> attributes) {
   static const std::string kGrey[] = {"Y", "A"};
   static const std::string kColour[] = {"R", "G", "B", "A"};
   CHECK(image.Channels() <= 4);
   const std::span<const std::string> names =
       image.Channels() <= 2 ? std::span<const std::string>(kGrey) : kColour;
-  return EncodeExr(image, names.first(static_cast<size_t>(image.Channels())));
+  return EncodeNamed(image, names.first(static_cast<size_t>(image.Channels())), attributes);
 }
 
 }  // namespace candela

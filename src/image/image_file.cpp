@@ -90,7 +90,7 @@ Result<std::string> EncodeImage(const Image& image, ImageFormat format,
     case ImageFormat::kPng:
       return EncodeAsPng(image, options);
     case ImageFormat::kExr:
-      return EncodeExr(image);
+      return EncodeExr(image, options.attributes);
     case ImageFormat::kHdr:
       return EncodeHdr(image);
     case ImageFormat::kPfm:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "image/exr.h"
 #include "image/raster.h"
 #include "image/size_limit.h"
 #include "image/tone_curve.h"
@@ -36,6 +37,7 @@ struct EncodeOptions {
   int png_bits = 8;  ///< 8 (the course's plain clamp) or 16 (rounded); see quantise.h.
   /// For PNG pictures of colours. With a curve 8 bits are rounded, too.
   ToneMapping tone;
+  std::vector<ExrAttribute> attributes;  ///< For EXR.
 };
 
 /// The bytes of a file for 1 to 4 channels. PNG clamps to 0..1; EXR, HDR and PFM hold values as

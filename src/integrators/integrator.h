@@ -8,6 +8,7 @@
 
 #include "math/spectrum.h"
 #include "math/vec.h"
+#include "sampling/sample_layers.h"
 
 namespace candela {
 
@@ -39,6 +40,33 @@ struct RayCounts {
   }
 };
 
+/// Where `Integrator::Trace` stores what it finds: entry i of a list belongs to sample i.
+struct SampleOutput {
+  std::span<Spectrum> radiance;
+  std::span<SampleLayers> layers = {};  ///< Empty when nobody asks for them.
+  bool needs_uv = false;                ///< Texture coordinates count, even without a texture.
+
+  bool HasLayers() const { return !layers.empty(); }
+
+  /// What belongs to `count` samples from the sample `begin` on.
+  SampleOutput Part(size_t begin, size_t count) const {
+    return {radiance.subspan(begin, count),
+            HasLayers() ? layers.subspan(begin, count) : std::span<SampleLayers>(), needs_uv};
+  }
+
+  /// Begins with a sample that has seen nothing yet.
+  void Clear(size_t sample) const {
+    radiance[sample] = Spectrum();
+    if (HasLayers()) layers[sample] = SampleLayers();
+  }
+
+  /// Adds light that surfaces have scattered so often.
+  void Add(size_t sample, uint32_t times_scattered, const Spectrum& light) const {
+    radiance[sample] += light;
+    if (HasLayers()) layers[sample].AddLight(times_scattered, light.ToRgb());
+  }
+};
+
 /// What a thread needs for itself while it traces.
 struct Workspace {
   virtual ~Workspace() = default;
@@ -53,11 +81,12 @@ class Integrator {
 
   virtual std::unique_ptr<Workspace> MakeWorkspace() const { return std::make_unique<Workspace>(); }
 
-  /// Stores the radiance of `samples[i]` in `radiance[i]`. The workspace comes from `MakeWorkspace`
-  /// of this integrator. A result depends on its sample alone, never on the others of the list or
-  /// on their order; many are quicker together, neighbours one after the other.
+  /// Stores the radiance of `samples[i]` in `output.radiance[i]`, and what else is asked for. The
+  /// workspace comes from `MakeWorkspace` of this integrator. A result depends on its sample alone,
+  /// never on the others of the list or on their order; many are quicker together, neighbours one
+  /// after the other.
   virtual void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                     std::span<Spectrum> radiance) const = 0;
+                     const SampleOutput& output) const = 0;
 
   /// The rays of one sample and what came of them, in words, one line each; empty for an integrator
   /// that cannot tell.

@@ -10,6 +10,7 @@
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
 #include "integrators/path_queue.h"
+#include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "sampling/sampler.h"
 
@@ -61,7 +62,7 @@ Ray PassOn(const PathVertex& vertex) {
 struct PathIntegrator::Batch final : Workspace {
   /// What comes from a sampled light if nothing is in the way.
   struct Contribution {
-    uint32_t sample;
+    uint32_t sample, times_scattered;
     Spectrum value;
   };
 
@@ -105,16 +106,16 @@ std::unique_ptr<Workspace> PathIntegrator::MakeWorkspace() const {
 }
 
 void PathIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                           std::span<Spectrum> radiance) const {
+                           const SampleOutput& output) const {
   Batch* batch = static_cast<Batch*>(workspace);
   for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
     const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, radiance.subspan(begin, count));
+    Follow(samples.subspan(begin, count), batch, output.Part(begin, count));
   }
 }
 
 void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
-                            std::span<Spectrum> radiance) const {
+                            const SampleOutput& output) const {
   PathQueue<PathState>& paths = batch->paths;
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
@@ -124,26 +125,26 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     PathState& path = paths.states()[i];
     path = PathState();
     path.sample = i;
-      path.media = media_at_camera_;
-      path.cone.spread = request.spacing * angle_per_unit;
-      path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
+    path.media = media_at_camera_;
+    path.cone.spread = request.spacing * angle_per_unit;
+    path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));
-    radiance[i] = Spectrum();
+    output.Clear(i);
   }
   batch->rays.camera += samples.size();
 
   RayOrder order = is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered;
   for (uint32_t step = 0; paths.size() > 0; ++step) {
     paths.FindHits(scene_, order);
-    Shade(step, batch, radiance);
-    AddSampledLight(batch, radiance);
+    Shade(step, batch, output);
+    AddSampledLight(batch, output);
     order = RayOrder::kScattered;
   }
 }
 
-void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& output) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
   PathQueue<PathState>& paths = batch->paths;
@@ -155,7 +156,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
     if (!hit.IsHit()) {
       Spectrum light = lights_.FromSky(path, ray.direction);
       light *= EndlessTransmittance(path.media.Absorption(scene_.interiors()));
-      radiance[path.sample] += path.throughput * light;
+      output.Add(path.sample, path.bounces, path.throughput * light);
       continue;
     }
     if (!path.media.IsEmpty()) {
@@ -168,8 +169,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
     vertex.wo = -Normalize(ray.direction);
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
-      radiance[path.sample] +=
-          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light);
+      output.Add(path.sample, path.bounces,
+                 path.throughput *
+                     lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
     }
     if (object.interior != SceneObject::kNoInterior &&
         !FindMedia(object.interior, path, batch, &vertex)) {
@@ -182,10 +184,16 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, std::span<Spectrum> radi
     }
     vertex.material = &scene_.material(hit);
     const bool is_last = path.bounces == bounces_;
-    if (is_last && !vertex.material->HasHoles()) continue;
+    const bool is_recorded = step == 0 && output.HasLayers();
+    if (is_last && !vertex.material->HasHoles() && !is_recorded) continue;
 
     vertex.bsdf.frame = Frame::FromNormal(NormalTowards(vertex.point, vertex.wo));
     vertex.material->Evaluate(vertex.point, &vertex.bsdf);
+    if (is_recorded) {
+      SampleLayers& layers = output.layers[path.sample];
+      layers.albedo = AlbedoOf(vertex.bsdf);
+      layers.surface = RecordSurface(scene_, ray, hit, vertex.point, output.needs_uv);
+    }
     if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
       SampleLight(path, step, vertex, batch);
@@ -228,18 +236,19 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
   ray.t_max = sample.distance;
   ray.mask = kShadowRay;
   batch->shadow_rays.push_back(ray);
-  batch->contributions.push_back({path.sample, path.throughput * scattered.value * arriving});
+  batch->contributions.push_back(
+      {path.sample, path.bounces + 1, path.throughput * scattered.value * arriving});
 }
 
-void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance) const {
+void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) const {
   const size_t count = batch->shadow_rays.size();
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
     if (batch->is_shadowed[i]) continue;
-    const auto& [sample, value] = batch->contributions[i];
+    const auto& [sample, times_scattered, value] = batch->contributions[i];
     const float left = scene_.HasHoles() ? scene_.Transparency(batch->shadow_rays[i]) : 1;
-    radiance[sample] += value * left;
+    output.Add(sample, times_scattered, value * left);
   }
 }
 

@@ -32,18 +32,18 @@ class PathIntegrator final : public Integrator {
 
   std::unique_ptr<Workspace> MakeWorkspace() const override;
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-             std::span<Spectrum> radiance) const override;
+             const SampleOutput& output) const override;
 
  private:
   struct Batch;
 
   void Follow(std::span<const SampleRequest> samples, Batch* batch,
-              std::span<Spectrum> radiance) const;
+              const SampleOutput& output) const;
 
   // The stages of one step: what the rays have met is lit, in part, and sends out new rays; then
   // those shadow rays that reach their lights add to the sums.
-  void Shade(uint32_t step, Batch* batch, std::span<Spectrum> radiance) const;
-  void AddSampledLight(Batch* batch, std::span<Spectrum> radiance) const;
+  void Shade(uint32_t step, Batch* batch, const SampleOutput& output) const;
+  void AddSampledLight(Batch* batch, const SampleOutput& output) const;
 
   void SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                    Batch* batch) const;
@@ -61,7 +61,7 @@ class PathIntegrator final : public Integrator {
   uint32_t bounces_;
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;
-  SamplerKind sampler_;
+  SamplerType sampler_;
   bool has_roulette_, has_lift_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "base/text.h"
@@ -12,15 +13,21 @@ namespace candela {
 namespace {
 
 constexpr IntegratorEntry kIntegrators[] = {
-    {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false},
-    {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
+    {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false,
      true},
+    {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
+     true, true},
 };
 
 }  // namespace
 
 std::span<const IntegratorEntry> IntegratorEntries() {
   return kIntegrators;
+}
+
+const IntegratorEntry* FindIntegrator(std::string_view name) {
+  const auto found = std::ranges::find(kIntegrators, name, &IntegratorEntry::name);
+  return found == std::end(kIntegrators) ? nullptr : found;
 }
 
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,

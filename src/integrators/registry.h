@@ -23,20 +23,25 @@ struct IntegratorOptions {
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
   uint32_t seed = 0;
-  SamplerKind sampler = SamplerKind::kSobol;  ///< For `path`: where its random numbers come from.
+  SamplerType sampler;  ///< Where the random numbers come from.
 };
 
 /// An integrator that may be asked for by name.
 struct IntegratorEntry {
   std::string_view name;
-  std::string_view summary;  ///< For the help.
+  std::string_view description;  ///< For the help.
   /// Fails when the scene holds what the integrator does not know.
   Result<std::unique_ptr<Integrator>> (*create)(const Scene& scene,
                                                 const IntegratorOptions& options);
   bool is_physical;  ///< Solves light transport; the contract tests hold it to a furnace.
+  bool has_layers;       ///< Fills in `SampleOutput::layers`.
+  bool has_light_paths;  ///< Light lands in pixels from paths that begin at lamps.
 };
 
 std::span<const IntegratorEntry> IntegratorEntries();
+
+/// The row of that name, or null.
+const IntegratorEntry* FindIntegrator(std::string_view name);
 
 /// Creates the integrator `name` for a scene, which has to outlive it.
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,

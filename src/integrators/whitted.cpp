@@ -6,6 +6,7 @@
 
 #include "integrators/path_queue.h"
 #include "integrators/ray_story.h"
+#include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "math/elementary.h"
 
@@ -94,12 +95,12 @@ std::unique_ptr<Workspace> WhittedIntegrator::MakeWorkspace() const {
 }
 
 void WhittedIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-                              std::span<Spectrum> radiance) const {
+                              const SampleOutput& output) const {
   NoStory nobody;
   Batch* batch = static_cast<Batch*>(workspace);
   for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
     const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, radiance.subspan(begin, count), &nobody);
+    Follow(samples.subspan(begin, count), batch, output.Part(begin, count), &nobody);
   }
 }
 
@@ -107,18 +108,19 @@ std::vector<std::string> WhittedIntegrator::Explain(const SampleRequest& sample)
   RayStory story(scene_);
   Batch batch;
   Spectrum radiance;
-  Follow({&sample, 1}, &batch, {&radiance, 1}, &story);
+  Follow({&sample, 1}, &batch, {{&radiance, 1}}, &story);
   story.OnResult(radiance.ToRgb());
   return story.TakeLines();
 }
 
 template <class Observer>
 void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
-                               std::span<Spectrum> radiance, Observer* observer) const {
+                               const SampleOutput& output, Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   paths.Resize(samples.size());
   for (uint32_t i = 0; i < samples.size(); ++i) {
     paths.states()[i] = {i};
+    if (output.HasLayers()) output.layers[i] = SampleLayers();
     paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
   }
   batch->rays.camera += samples.size();
@@ -126,19 +128,20 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   RayOrder order = RayOrder::kCoherent;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {
     paths.FindHits(scene_, order);
-    EndMisses(batch, radiance, observer);
+    EndMisses(bounce, batch, output, observer);
+    if (bounce == 0 && output.HasLayers()) RecordSurfaces(batch, output);
     FindSurfaces(batch, observer);
     for (const Light* light : sharp_lights_) {
       if (shadows_) FindShadows(*light, order, batch);
       AddLight(*light, batch, observer);
     }
-    Reflect(bounce, batch, radiance, observer);
+    Reflect(bounce, batch, output, observer);
     order = RayOrder::kScattered;
   }
 }
 
 template <class Observer>
-void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
+void WhittedIntegrator::EndMisses(uint32_t bounce, Batch* batch, const SampleOutput& output,
                                   Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
@@ -150,9 +153,25 @@ void WhittedIntegrator::EndMisses(Batch* batch, std::span<Spectrum> radiance,
     const Path& path = paths.states()[i];
     const Rgb background = scene_.background().Radiance(paths.rays()[i].direction).ToRgb();
     observer->OnMiss(paths.rays()[i], background);
-    radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
+    if (output.HasLayers()) {
+      output.layers[path.sample].AddLight(bounce, path.throughput * background);
+    }
+    output.radiance[path.sample] = Spectrum(path.radiance + path.throughput * background);
   }
   paths.Resize(left);
+}
+
+void WhittedIntegrator::RecordSurfaces(Batch* batch, const SampleOutput& output) const {
+  PathQueue<Path>& paths = batch->paths;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const Ray& ray = paths.rays()[i];
+    const HitRecord& hit = paths.hits()[i];
+    const SurfacePoint point = scene_.SurfaceAt(ray, hit);
+    SampleLayers& layers = output.layers[paths.states()[i].sample];
+    const PhongTerms terms = scene_.material(hit).Phong(point);
+    layers.albedo = Min(terms.diffuse + terms.specular, Rgb{1, 1, 1});
+    layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
+  }
 }
 
 template <class Observer>
@@ -208,7 +227,7 @@ void WhittedIntegrator::AddLight(const Light& light, Batch* batch, Observer* obs
 }
 
 template <class Observer>
-void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
+void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, const SampleOutput& output,
                                 Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   size_t left = 0;
@@ -218,7 +237,11 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
     const Rgb ambient = scene_.background().ambient_light * shading.terms.ambient;
     observer->OnAmbient(ambient);
     Rgb local = shading.light + ambient;
+    const Path& before = paths.states()[i];
     const uint32_t lamp = scene_.objects()[paths.hits()[i].object].light;
+    if (output.HasLayers()) {
+      output.layers[before.sample].AddLight(bounce + 1, before.throughput * local);
+    }
     if (lamp != SceneObject::kNoLight) {
       SurfacePoint surface;
       surface.p = shading.p;
@@ -226,8 +249,11 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
       const Rgb emitted = scene_.lights()[lamp]->Emitted(surface, -shading.eye).ToRgb();
       observer->OnEmission(emitted);
       local += emitted;
+      if (output.HasLayers()) {
+        output.layers[before.sample].AddLight(bounce, before.throughput * emitted);
+      }
     }
-    Path path = paths.states()[i];
+    Path path = before;
     path.radiance += path.throughput * local;
     path.throughput = path.throughput * specular;
 
@@ -242,7 +268,7 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, std::span<Spectru
     }
     if (end) {
       observer->OnEnd(end);
-      radiance[path.sample] = Spectrum(path.radiance);
+      output.radiance[path.sample] = Spectrum(path.radiance);
       continue;
     }
     observer->OnReflection(specular);

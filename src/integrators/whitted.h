@@ -29,7 +29,7 @@ class WhittedIntegrator final : public Integrator {
 
   std::unique_ptr<Workspace> MakeWorkspace() const override;
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-             std::span<Spectrum> radiance) const override;
+             const SampleOutput& output) const override;
   std::vector<std::string> Explain(const SampleRequest& sample) const override;
 
  private:
@@ -38,20 +38,21 @@ class WhittedIntegrator final : public Integrator {
   /// Follows samples to their ends. The observer is told of each hit, light and miss, in order when
   /// there is one sample; see `RayStory`.
   template <class Observer>
-  void Follow(std::span<const SampleRequest> samples, Batch* batch, std::span<Spectrum> radiance,
+  void Follow(std::span<const SampleRequest> samples, Batch* batch, const SampleOutput& output,
               Observer* observer) const;
 
   // The stages of one bounce, in this order.
   template <class Observer>
-  void EndMisses(Batch* batch, std::span<Spectrum> radiance, Observer* observer) const;
+  void EndMisses(uint32_t bounce, Batch* batch, const SampleOutput& output,
+                 Observer* observer) const;
+  void RecordSurfaces(Batch* batch, const SampleOutput& output) const;
   template <class Observer>
   void FindSurfaces(Batch* batch, Observer* observer) const;
   void FindShadows(const Light& light, RayOrder order, Batch* batch) const;
   template <class Observer>
   void AddLight(const Light& light, Batch* batch, Observer* observer) const;
   template <class Observer>
-  void Reflect(uint32_t bounce, Batch* batch, std::span<Spectrum> radiance,
-               Observer* observer) const;
+  void Reflect(uint32_t bounce, Batch* batch, const SampleOutput& output, Observer* observer) const;
 
   const Scene& scene_;
   std::vector<const Light*> sharp_lights_;

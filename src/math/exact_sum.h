@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 
@@ -49,6 +50,14 @@ class ExactSum {
   constexpr double ToDouble() const {
     return static_cast<double>(static_cast<int64_t>(whole_)) +
            static_cast<double>(fraction_) * (1 / kUnits);
+  }
+
+  /// Everything that it is, to be kept in a file.
+  constexpr std::array<uint64_t, 2> Words() const { return {whole_, fraction_}; }
+  static constexpr ExactSum FromWords(uint64_t whole, uint64_t fraction) {
+    ExactSum sum;
+    sum.AddUnits(whole, fraction);
+    return sum;
   }
 
   friend constexpr bool operator==(const ExactSum&, const ExactSum&) = default;

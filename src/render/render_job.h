@@ -2,26 +2,51 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "base/cancel_token.h"
 #include "base/result.h"
 #include "film/encode_film.h"
 #include "film/film.h"
 #include "integrators/integrator.h"
+#include "render/dropped_samples.h"
 #include "render/render_options.h"
+#include "render/sample_clamp.h"
 
 namespace candela {
+
+/// What a job that keeps sums has done so far.
+struct RenderState {
+  std::vector<uint32_t> tile_samples;  ///< Samples of each pixel, tile by tile.
+  std::vector<PixelSums> sums;         ///< Of all pixels, row after row.
+  DroppedSamples dropped;
+  ClampLoss lost;
+};
 
 /// Renders one picture on all threads (see `ThreadLimit`). The result depends on the scene, the
 /// integrator and the options alone.
 class RenderJob {
  public:
-  /// Both have to outlive the job.
-  RenderJob(const Integrator& integrator, const RenderOptions& options);
+  /// Both have to outlive the job. One that keeps sums renders the picture in passes of a few
+  /// samples each, can be asked what it has done so far, and can go on from there another time.
+  RenderJob(const Integrator& integrator, const RenderOptions& options,
+            Film::Keep keep = Film::Keep::kColours);
 
   /// Runs to the end, or until `cancel` is set: then the error is `kStopped`. Once per job. An
   /// `encoder` of the job's film, if there is one, gets rows as soon as they are done.
-  Result<void> Run(const CancelToken& cancel, FilmEncoder* encoder = nullptr);
+  /// `after_pass`, if there is one, is called after each pass but the last; its error ends the
+  /// work.
+  Result<void> Run(const CancelToken& cancel, FilmEncoder* encoder = nullptr,
+                   const std::function<Result<void>()>& after_pass = {});
+
+  /// Goes on from a state that fits a job that keeps sums, before `Run`.
+  bool CanRestore(const RenderState& state) const;
+  void Restore(const RenderState& state);
+  const std::vector<uint32_t>& TileSamples() const { return tile_samples_; }
+  uint32_t SamplesOfPixel() const { return options_.samples; }
+  /// All samples of tiles that are in the film, while `Run` does not work.
+  uint64_t SamplesInFilm() const;
 
   /// The picture: linear red, green and blue, unclamped, of the crop window.
   const Film& film() const { return film_; }
@@ -33,6 +58,9 @@ class RenderJob {
 
   /// All rays by kind, once `Run` has returned.
   const RayCounts& Rays() const { return rays_; }
+  /// And then, or after a pass, what did not come into the picture.
+  const DroppedSamples& Dropped() const { return dropped_; }
+  const ClampLoss& Lost() const { return lost_; }
 
  private:
   class Worker;
@@ -40,13 +68,17 @@ class RenderJob {
   const Integrator& integrator_;
   const RenderOptions& options_;
   Film film_;
+  std::vector<uint32_t> tile_samples_;
   RayCounts rays_;
+  DroppedSamples dropped_;
+  ClampLoss lost_;
   std::atomic<uint64_t> samples_done_ = 0;
   std::atomic<uint64_t> rays_traced_ = 0;
 };
 
 /// Memory in bytes that a picture of this size takes from the first ray to the written file, apart
-/// from the scene; the largest number when it exceeds that.
-uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits);
+/// from the scene; the largest number when it exceeds that. With first hits for maps, and with sums
+/// for a checkpoint.
+uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits, bool with_sums);
 
 }  // namespace candela

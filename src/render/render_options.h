@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cameras/image_plane.h"
 #include "film/film.h"
+#include "sampling/sampler.h"
 
 namespace candela {
 
@@ -31,6 +33,11 @@ struct RenderOptions {
   std::string filter = "box";  ///< For `kFilter`: a name of `PixelFilters()`.
   uint32_t samples = 1;        ///< Per pixel; `kStrataSamples` for strata.
   uint32_t seed = 0;
+  SamplerType sampler;
+
+  LayerSet layers;              ///< What is recorded beside the colours.
+  std::optional<float> clamp;   ///< The most that a channel of a sample may have.
+  bool drops_negative = false;  ///< Negative samples are mistakes, not the scene's will.
   uint32_t tile_size =
       32;  ///< Side of the blocks that threads take; changes nothing in the picture.
 };

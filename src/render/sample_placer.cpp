@@ -18,7 +18,8 @@ float Tent(float offset) {
 SamplePlacer::SamplePlacer(const RenderOptions& options)
     : plane_(options.width, options.height, options.grid, options.stretch),
       pattern_(options.pattern),
-      seed_(options.seed) {
+      seed_(options.seed),
+      sampler_(options.sampler) {
   if (pattern_ != SamplePattern::kFilter) return;
   const PixelFilterEntry* entry = FindPixelFilter(options.filter);
   CHECK(entry);
@@ -26,7 +27,7 @@ SamplePlacer::SamplePlacer(const RenderOptions& options)
 }
 
 FilterSample SamplePlacer::PositionInPixel(int x, int y, uint32_t index) const {
-  const Sampler sampler(seed_, static_cast<uint32_t>(x), static_cast<uint32_t>(y), index);
+  const Sampler sampler(seed_, static_cast<uint32_t>(x), static_cast<uint32_t>(y), index, sampler_);
   const Vec2 u = sampler.Get2D(kFilmDimension);
   if (pattern_ == SamplePattern::kFilter) return filter_->Sample(u);
 

@@ -7,6 +7,7 @@
 #include "film/pixel_filter.h"
 #include "integrators/integrator.h"
 #include "render/render_options.h"
+#include "sampling/sampler.h"
 
 namespace candela {
 
@@ -19,13 +20,15 @@ class SamplePlacer {
   struct Placed {
     SampleRequest request;
     float weight;
+    float off_centre;  ///< The square of its distance from the middle of the pixel.
   };
   Placed Place(int x, int y, uint32_t index) const {
     const FilterSample position =
         pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, y, index);
     return {{static_cast<uint32_t>(x), static_cast<uint32_t>(y), index,
              plane_.PointOf(x, y, position.offset), plane_.Spacing()},
-            position.weight};
+            position.weight,
+            position.offset.x * position.offset.x + position.offset.y * position.offset.y};
   }
 
   /// The sample in the middle of the pixel, whatever the pattern.
@@ -37,6 +40,7 @@ class SamplePlacer {
   ImagePlane plane_;
   SamplePattern pattern_;
   uint32_t seed_;
+  SamplerType sampler_;
   std::optional<PixelFilter> filter_;
 };
 

@@ -1,7 +1,21 @@
 #include "sampling/sampler.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace candela {
 namespace {
+
+constexpr SamplerEntry kSamplers[] = {
+    {"sobol", "scrambled Sobol points, even for any number of samples", SamplerKind::kSobol, true},
+    {"stratified", "blocks of 4x4 strata", SamplerKind::kStratified, true},
+    {"independent", "dice, for comparison", SamplerKind::kIndependent, true},
+    {"blue_noise", "Sobol points for --samples whose noise is fine-grained",
+     SamplerKind::kBlueNoise, false},
+};
+
+constexpr uint32_t kStrata = 16;
+constexpr int kMostBlueBits = 16;
 
 /// A bijection that spreads every bit over all 64: the finaliser of SplitMix64 (Steele, Lea and
 /// Flood, "Fast splittable pseudorandom number generators", 2014).
@@ -64,6 +78,44 @@ uint32_t Shuffle(uint32_t index, uint32_t seed) {
   return ReverseBits(ScrambleUpwards(ReverseBits(index), seed));
 }
 
+/// The place of i among a random permutation of 0 to count - 1, where count is a power of two up to
+/// 16: Kensler's hash.
+uint32_t Permute(uint32_t i, uint32_t count, uint32_t seed) {
+  const uint32_t mask = count - 1;
+  i ^= seed;
+  i *= 0xe170893du;
+  i ^= seed >> 16;
+  i ^= (i & mask) >> 4;
+  i ^= seed >> 8;
+  i *= 0x0929eb3fu;
+  i ^= seed >> 23;
+  i ^= (i & mask) >> 1;
+  i *= 1 | seed >> 27;
+  i *= 0x6935fa69u;
+  i ^= (i & mask) >> 11;
+  i *= 0x74dcb303u;
+  i ^= (i & mask) >> 2;
+  i *= 0x9e501cc3u;
+  i ^= (i & mask) >> 2;
+  i *= 0xc860a3dfu;
+  i &= mask;
+  i ^= i >> 5;
+  return (i + seed) & mask;
+}
+
+/// The bits of a 16-bit number with a 0 before each.
+uint32_t SpreadBits(uint32_t x) {
+  x = (x | (x << 8)) & 0x00ff00ffu;
+  x = (x | (x << 4)) & 0x0f0f0f0fu;
+  x = (x | (x << 2)) & 0x33333333u;
+  return (x | (x << 1)) & 0x55555555u;
+}
+
+/// The place of a pixel along the curve of G. Morton (1966).
+uint32_t ZOrder(uint32_t x, uint32_t y) {
+  return SpreadBits(x) | (SpreadBits(y) << 1);
+}
+
 uint32_t LowHalf(uint64_t x) {
   return static_cast<uint32_t>(x);
 }
@@ -73,17 +125,63 @@ uint32_t HighHalf(uint64_t x) {
 
 }  // namespace
 
+SamplerType::SamplerType(SamplerKind sampler, uint32_t samples) : kind(sampler) {
+  if (kind != SamplerKind::kBlueNoise || samples < 2) return;
+  log2_samples = static_cast<uint8_t>(std::min<int>(std::bit_width(samples - 1), kMostBlueBits));
+}
+
+std::span<const SamplerEntry> Samplers() {
+  return kSamplers;
+}
+
+const SamplerEntry* FindSampler(std::string_view name) {
+  const auto found = std::ranges::find(kSamplers, name, &SamplerEntry::name);
+  return found == std::end(kSamplers) ? nullptr : found;
+}
+
 Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sample_index,
-                 SamplerKind kind)
+                 SamplerType type)
     : pixel_hash_(Mix(Mix(seed), (uint64_t{pixel_y} << 32) | pixel_x)),
       sample_index_(sample_index),
-      kind_(kind) {}
+      kind_(type.kind) {
+  if (kind_ != SamplerKind::kBlueNoise) return;
+  // One Sobol sequence for a square of pixels, as large as 32 bits let it be. The samples of a
+  // pixel, of 2 x 2 pixels, and so on, are runs of it, and as even as such.
+  const uint32_t bits = type.log2_samples, square_bits = (32 - bits) / 2;
+  const uint32_t square_x = pixel_x >> square_bits, square_y = pixel_y >> square_bits;
+  const uint32_t in_square = (uint32_t{1} << square_bits) - 1;
+  const uint32_t in_block = (uint32_t{1} << bits) - 1;
+  pixel_hash_ = Mix(Mix(Mix(seed), (uint64_t{square_y} << 32) | square_x), sample_index >> bits);
+  sample_index_ =
+      (ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) | (sample_index & in_block);
+  kind_ = SamplerKind::kSobol;
+}
+
+float Sampler::Stratified1D(uint64_t hash) const {
+  const uint64_t block = Mix(hash, sample_index_ / kStrata);
+  const uint32_t stratum = Permute(sample_index_ % kStrata, kStrata, LowHalf(block));
+  const auto within = static_cast<uint32_t>(Mix(hash, ~uint64_t{sample_index_}) >> 44);
+  return ToUnitInterval((stratum << 28) | (within << 8));
+}
+
+// Each square of the 4 x 4 holds one sample, and so do each of 16 columns and of 16 rows.
+Vec2 Sampler::Stratified2D(uint64_t hash) const {
+  const uint64_t block = Mix(hash, sample_index_ / kStrata);
+  const uint32_t square = Permute(sample_index_ % kStrata, kStrata, LowHalf(block));
+  const uint32_t column = square % 4, row = square / 4;
+  const uint32_t fine_column = Permute(row, 4, HighHalf(block));
+  const uint32_t fine_row = Permute(column, 4, LowHalf(Mix(block)));
+  const uint64_t within = Mix(hash, ~uint64_t{sample_index_});
+  return {ToUnitInterval((column << 30) | (fine_column << 28) | (LowHalf(within) >> 4)),
+          ToUnitInterval((row << 30) | (fine_row << 28) | (HighHalf(within) >> 4))};
+}
 
 float Sampler::Get1D(uint32_t dimension) const {
   const uint64_t hash = Mix(pixel_hash_, dimension);
   if (kind_ == SamplerKind::kIndependent) {
     return ToUnitInterval(LowHalf(Mix(hash, sample_index_)));
   }
+  if (kind_ == SamplerKind::kStratified) return Stratified1D(hash);
   // The first Sobol sequence has the digits of the index itself.
   return ScrambledPoint(Shuffle(sample_index_, LowHalf(hash)), HighHalf(hash));
 }
@@ -94,6 +192,7 @@ Vec2 Sampler::Get2D(uint32_t dimension) const {
     const uint64_t bits = Mix(hash, sample_index_);
     return {ToUnitInterval(LowHalf(bits)), ToUnitInterval(HighHalf(bits))};
   }
+  if (kind_ == SamplerKind::kStratified) return Stratified2D(hash);
   const uint32_t index = Shuffle(sample_index_, LowHalf(hash));
   return {ScrambledPoint(index, HighHalf(hash)),
           ScrambledPoint(PascalMatrix(index), LowHalf(Mix(hash)))};

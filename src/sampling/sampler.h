@@ -1,15 +1,49 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "math/vec.h"
 
 namespace candela {
 
-enum class SamplerKind {
+enum class SamplerKind : uint8_t {
   kSobol,        ///< Owen-scrambled Sobol points: every pair of dimensions is evenly filled.
+  kStratified,   ///< Blocks of 16 samples, each with one in every one of 4 x 4 squares.
   kIndependent,  ///< Hashes, for comparison: the error falls as slowly as that of dice.
+  kBlueNoise,    ///< Sobol points dealt out to neighbouring pixels, whose errors then cancel.
 };
+
+/// A kind of sampler and what it has to know.
+struct SamplerType {
+  SamplerKind kind = SamplerKind::kSobol;
+  /// Of `kBlueNoise`: the logarithm of the number of samples that a pixel is to get. More are
+  /// possible; every such number of them is a pattern of its own. At most 16.
+  uint8_t log2_samples = 0;
+
+  constexpr SamplerType() = default;
+  constexpr SamplerType(SamplerKind sampler) : kind(sampler) {}
+  /// Made for so many samples of each pixel, or the next power of two.
+  SamplerType(SamplerKind sampler, uint32_t samples);
+
+  friend bool operator==(const SamplerType&, const SamplerType&) = default;
+};
+
+/// A row of the table of samplers.
+struct SamplerEntry {
+  std::string_view name;
+  std::string_view description;
+  SamplerKind kind;
+  /// Pixels know nothing of each other: their numbers are related by chance alone.
+  bool has_independent_pixels;
+};
+
+/// All samplers, in the order of the manual.
+std::span<const SamplerEntry> Samplers();
+
+/// The sampler of that name, or null.
+const SamplerEntry* FindSampler(std::string_view name);
 
 /// Which dimensions belong to what, so that a new use of random numbers in one place does not
 /// change the numbers of another. Dimensions 0-15 belong to the camera, 16 to each bounce.
@@ -32,11 +66,16 @@ constexpr uint32_t BounceDimension(uint32_t bounce) {
 /// ("padding"), after B. Burley, "Practical hash-based Owen scrambling" (JCGT 2020). Any number of
 /// samples is a good number, powers of two are best, and more may be added at any time.
 ///
+/// `kBlueNoise` takes one such sequence for all pixels of a square of the picture, along a curve
+/// through them that keeps near what is near: A. Ahmed and P. Wonka, "Screen-space blue-noise
+/// diffusion of Monte Carlo sampling error via hierarchical ordering of pixels" (2020).
+/// `kStratified` are blocks after A. Kensler, "Correlated multi-jittered sampling" (2013).
+///
 /// Numbers are multiples of 2^-24 in [0, 1), never 1. All functions may be called concurrently.
 class Sampler {
  public:
   Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sample_index,
-          SamplerKind kind = SamplerKind::kSobol);
+          SamplerType type = {});
 
   float Get1D(uint32_t dimension) const;
 
@@ -44,6 +83,9 @@ class Sampler {
   Vec2 Get2D(uint32_t dimension) const;
 
  private:
+  float Stratified1D(uint64_t hash) const;
+  Vec2 Stratified2D(uint64_t hash) const;
+
   uint64_t pixel_hash_;
   uint32_t sample_index_;
   SamplerKind kind_;

@@ -65,6 +65,13 @@ float Scene::Transparency(Ray ray) const {
   return left;
 }
 
+Vec2 Scene::TextureCoordinatesAt(const Ray& ray, const HitRecord& hit) const {
+  const Shape& shape = *objects_[hit.object].shape;
+  SurfacePoint local = shape.SurfaceAt(objects_[hit.object].ToObject(ray), hit);
+  shape.AddTextureCoordinates(hit, &local);
+  return local.uv;
+}
+
 Bounds3 Scene::Bounds() const {
   Bounds3 bounds;
   for (const SceneObject& object : objects_) {

@@ -64,6 +64,9 @@ class Scene {
   /// bound stay 0, so no ray can be spawned from it.
   SurfacePoint ShadingAt(const Ray& ray, const HitRecord& hit) const;
 
+  /// The texture coordinates of a hit, whether or not the material asks for them.
+  Vec2 TextureCoordinatesAt(const Ray& ray, const HitRecord& hit) const;
+
   const PerspectiveCamera& camera() const { return camera_; }
   const Background& background() const { return background_; }
   const std::vector<SceneObject>& objects() const { return objects_; }

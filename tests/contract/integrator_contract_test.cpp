@@ -68,7 +68,7 @@ TEST_P(EveryIntegrator, AnEmptySceneShowsTheBackground) {
   const auto workspace = integrator->MakeWorkspace();
   const SampleRequest requests[] = {{0, 0, 0, {0, 0}}, {5, 3, 1, {1, -1}}};
   Spectrum radiance[2];
-  integrator->Trace(requests, workspace.get(), radiance);
+  integrator->Trace(requests, workspace.get(), {radiance});
   EXPECT_EQ(radiance[0].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
   EXPECT_EQ(radiance[1].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
   EXPECT_EQ(workspace->rays.Total(), 2u);
@@ -106,12 +106,12 @@ TEST_P(EveryIntegrator, ASampleDoesNotDependOnTheOthersOfItsList) {
   }
   std::vector<Spectrum> together(requests.size());
   const auto workspace = integrator->MakeWorkspace();
-  integrator->Trace(requests, workspace.get(), together);
+  integrator->Trace(requests, workspace.get(), {together});
 
   std::reverse(requests.begin(), requests.end());
   for (size_t i = 0; i < requests.size(); ++i) {
     Spectrum alone;
-    integrator->Trace({&requests[i], 1}, integrator->MakeWorkspace().get(), {&alone, 1});
+    integrator->Trace({&requests[i], 1}, integrator->MakeWorkspace().get(), {{&alone, 1}});
     EXPECT_EQ(alone, together[requests.size() - 1 - i]);
   }
 }

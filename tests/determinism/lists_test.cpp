@@ -32,7 +32,7 @@ std::vector<Spectrum> TraceInLists(const Integrator& integrator,
   for (size_t begin = 0; begin < all.size(); begin += length) {
     const size_t count = std::min(length, all.size() - begin);
     integrator.Trace(all.subspan(begin, count), workspace.get(),
-                     std::span(radiance).subspan(begin, count));
+                     {std::span(radiance).subspan(begin, count)});
   }
   EXPECT_EQ(workspace->rays.camera, requests.size());
   return radiance;

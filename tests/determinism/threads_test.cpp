@@ -67,9 +67,9 @@ class Gathering final : public Integrator {
 
   std::unique_ptr<Workspace> MakeWorkspace() const override { return inner_.MakeWorkspace(); }
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
-             std::span<Spectrum> radiance) const override {
+             const SampleOutput& output) const override {
     if (!meeting_.Join()) has_failed_ = true;
-    inner_.Trace(samples, workspace, radiance);
+    inner_.Trace(samples, workspace, output);
   }
 
   bool HasFailed() const { return has_failed_; }

@@ -80,7 +80,7 @@ TEST(Path, CountsItsRays) {
   const auto workspace = integrator.MakeWorkspace();
   const SampleRequest requests[2] = {};
   Spectrum radiance[2];
-  integrator.Trace(requests, workspace.get(), radiance);
+  integrator.Trace(requests, workspace.get(), {radiance});
   EXPECT_EQ(workspace->rays.camera, 2u);
   EXPECT_EQ(workspace->rays.reflection, 6u);
   EXPECT_EQ(workspace->rays.shadow, 0u);

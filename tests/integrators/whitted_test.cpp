@@ -52,7 +52,7 @@ Seen Trace(const std::string& text, uint32_t bounces = 0, bool shadows = false) 
   const auto workspace = integrator.MakeWorkspace();
   const SampleRequest straight_ahead;
   Spectrum radiance;
-  integrator.Trace({&straight_ahead, 1}, workspace.get(), {&radiance, 1});
+  integrator.Trace({&straight_ahead, 1}, workspace.get(), {{&radiance, 1}});
   return {radiance.ToRgb(), workspace->rays};
 }
 

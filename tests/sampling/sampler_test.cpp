@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <functional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/sampling/chi_square.h"
@@ -58,14 +61,120 @@ TEST(IndependentSampler, IsNotStratified) {
   EXPECT_FALSE(IsStratified(points, 8, 4));
 }
 
-class EverySampler : public testing::TestWithParam<SamplerKind> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, EverySampler,
-                         testing::Values(SamplerKind::kSobol, SamplerKind::kIndependent));
+// Blocks of 16: one sample in each square, column and row.
+TEST(StratifiedSampler, BlocksFillEveryStratum) {
+  for (const uint32_t block : {0u, 1u, 6u}) {
+    for (uint32_t pixel = 0; pixel < 50; ++pixel) {
+      std::vector<Vec2> points;
+      std::vector<int> cells(16);
+      for (uint32_t i = 0; i < 16; ++i) {
+        const Sampler sampler(3, pixel, 2, 16 * block + i, SamplerKind::kStratified);
+        points.push_back(sampler.Get2D(BounceDimension(1)));
+        ++cells[static_cast<size_t>(sampler.Get1D(kFilmDimension) * 16)];
+      }
+      for (const int a : {0, 2, 4}) ASSERT_TRUE(IsStratified(points, 4, a)) << pixel << " " << a;
+      for (const int count : cells) ASSERT_EQ(count, 1) << pixel;
+    }
+  }
+}
+
+TEST(StratifiedSampler, OrderOfStrataDiffersFromPixelToPixel) {
+  std::vector<int> cells(16);
+  for (uint32_t pixel = 0; pixel < 1600; ++pixel) {
+    const Sampler sampler(0, pixel, 0, 0, SamplerKind::kStratified);
+    ++cells[static_cast<size_t>(sampler.Get1D(5) * 16)];
+  }
+  for (const int count : cells) EXPECT_NEAR(count, 100, 50);
+}
+
+SamplerType BlueNoise(uint32_t samples) {
+  return {SamplerKind::kBlueNoise, samples};
+}
+
+// The samples of a pixel are a net, and so are those of 2 x 2 and of 8 x 8 pixels together.
+TEST(BlueNoiseSampler, SquaresOfPixelsAreNetsTogether) {
+  for (const auto& [side, m] : {std::pair(1u, 2), std::pair(2u, 4), std::pair(8u, 8)}) {
+    for (const uint32_t corner : {0u, 8u, 8u * 31}) {
+      for (const uint32_t first : {0u, 4u}) {  // Also beyond the number it was made for.
+        std::vector<Vec2> points;
+        for (uint32_t pixel = 0; pixel < side * side; ++pixel) {
+          for (uint32_t i = 0; i < 4; ++i) {
+            const Sampler sampler(1, corner + pixel % side, 16 + pixel / side, first + i,
+                                  BlueNoise(4));
+            points.push_back(sampler.Get2D(BounceDimension(0)));
+          }
+        }
+        for (int a = 0; a <= m; ++a) ASSERT_TRUE(IsStratified(points, m, a)) << side << " " << a;
+      }
+    }
+  }
+}
+
+TEST(BlueNoiseSampler, IsMadeForAPowerOfTwo) {
+  EXPECT_EQ(BlueNoise(1).log2_samples, 0);
+  EXPECT_EQ(BlueNoise(64).log2_samples, 6);
+  EXPECT_EQ(BlueNoise(65).log2_samples, 7);
+  EXPECT_EQ(BlueNoise(4000000000u).log2_samples, 16);
+  EXPECT_EQ(SamplerType(SamplerKind::kSobol, 64).log2_samples, 0);
+}
+
+// What it is for: the errors of neighbours cancel, so that a blurred picture is nearly clean.
+TEST(BlueNoiseSampler, NoiseHasLittleOfLowFrequency) {
+  constexpr uint32_t kSide = 64, kBlock = 8, kSamples = 4;
+  struct Noise {
+    double of_pixels = 0, of_blocks = 0;  ///< Mean squares of the error.
+  };
+  const auto noise_of = [&](SamplerType type) {
+    Noise noise;
+    std::vector<double> blocks((kSide / kBlock) * (kSide / kBlock));
+    for (uint32_t y = 0; y < kSide; ++y) {
+      for (uint32_t x = 0; x < kSide; ++x) {
+        double mean = 0;
+        for (uint32_t i = 0; i < kSamples; ++i) {
+          const Vec2 u = Sampler(5, x, y, i, type).Get2D(BounceDimension(0));
+          // A disk, like the edge of a shadow: no polynomial that a net would integrate exactly.
+          const float dx = u.x - 0.4f, dy = u.y - 0.3f;
+          mean += dx * dx + dy * dy < 0.09f ? 1.0 / kSamples : 0;
+        }
+        const double error = mean - 0.28274334;  // pi 0.3^2
+        noise.of_pixels += error * error / (kSide * kSide);
+        blocks[y / kBlock * (kSide / kBlock) + x / kBlock] += error / (kBlock * kBlock);
+      }
+    }
+    for (const double error : blocks) {
+      noise.of_blocks += error * error / static_cast<double>(blocks.size());
+    }
+    return noise;
+  };
+  const Noise sobol = noise_of(SamplerKind::kSobol), blue = noise_of(BlueNoise(kSamples));
+  EXPECT_NEAR(sobol.of_blocks * kBlock * kBlock / sobol.of_pixels, 1, 0.5);  // White.
+  EXPECT_LT(blue.of_blocks, sobol.of_blocks / 5);
+  EXPECT_LT(blue.of_pixels, sobol.of_pixels * 1.5);
+}
+
+TEST(Samplers, NamesAreUniqueAndFound) {
+  std::set<std::string_view> names;
+  for (const SamplerEntry& entry : Samplers()) {
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_EQ(FindSampler(entry.name), &entry);
+    EXPECT_FALSE(entry.description.empty());
+  }
+  EXPECT_EQ(FindSampler("sobel"), nullptr);
+}
+
+class EverySampler : public testing::TestWithParam<SamplerEntry> {
+ protected:
+  /// Where it matters, made for 16 samples.
+  SamplerType Type() const { return {GetParam().kind, 16}; }
+};
+INSTANTIATE_TEST_SUITE_P(Registry, EverySampler,
+                         testing::ValuesIn(Samplers().begin(), Samplers().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
 
 TEST_P(EverySampler, NumbersLieInTheHalfOpenUnitInterval) {
   float largest = 0;
   for (uint32_t i = 0; i < 2000000; ++i) {
-    const Sampler sampler(0, 0, 0, i * 2147u, GetParam());
+    const Sampler sampler(0, 0, 0, i * 2147u, Type());
     const float x = sampler.Get1D(i & 31);
     ASSERT_TRUE(x >= 0 && x < 1);
     largest = std::max(largest, x);
@@ -74,56 +183,57 @@ TEST_P(EverySampler, NumbersLieInTheHalfOpenUnitInterval) {
 }
 
 TEST_P(EverySampler, IsAFunctionOfItsArguments) {
-  const Sampler a(1, 2, 3, 4, GetParam());
+  const Sampler a(1, 2, 3, 4, Type());
   const Vec2 first = a.Get2D(16);
   a.Get1D(5);
   EXPECT_EQ(a.Get2D(16), first);
-  EXPECT_EQ(Sampler(1, 2, 3, 4, GetParam()).Get2D(16), first);
-  EXPECT_FALSE(Sampler(0, 2, 3, 4, GetParam()).Get2D(16) == first);
-  EXPECT_FALSE(Sampler(1, 3, 2, 4, GetParam()).Get2D(16) == first);
-  EXPECT_FALSE(Sampler(1, 2, 3, 5, GetParam()).Get2D(16) == first);
+  EXPECT_EQ(Sampler(1, 2, 3, 4, Type()).Get2D(16), first);
+  EXPECT_FALSE(Sampler(0, 2, 3, 4, Type()).Get2D(16) == first);
+  EXPECT_FALSE(Sampler(1, 3, 2, 4, Type()).Get2D(16) == first);
+  EXPECT_FALSE(Sampler(1, 2, 3, 5, Type()).Get2D(16) == first);
   EXPECT_FALSE(a.Get2D(18) == first);
 }
 
 /// A way to walk through samples that has to give independent uniform pairs.
 struct Walk {
   const char* name;
-  std::function<Vec2(uint32_t i, SamplerKind)> pair;
+  bool compares_pixels;  ///< Not for samplers whose pixels know of each other.
+  std::function<Vec2(uint32_t i, SamplerType)> pair;
 };
 
 // Within a pixel the points are more even than chance. Across pixels, seeds and dimensions they
 // must look like dice: a repeated or related scrambling shows as a picture-wide pattern.
 const Walk kWalks[] = {
-    {"pair of the first sample over pixels",
-     [](uint32_t i, SamplerKind kind) { return Sampler(0, i % 1000, i / 1000, 0, kind).Get2D(0); }},
-    {"neighbouring pixels",
-     [](uint32_t i, SamplerKind kind) {
+    {"pair of the first sample over pixels", false,
+     [](uint32_t i, SamplerType type) { return Sampler(0, i % 1000, i / 1000, 0, type).Get2D(0); }},
+    {"neighbouring pixels", true,
+     [](uint32_t i, SamplerType type) {
        const uint32_t x = i % 1000, y = i / 1000;
-       return Vec2{Sampler(0, x, y, 3, kind).Get1D(2), Sampler(0, x + 1, y, 3, kind).Get1D(2)};
+       return Vec2{Sampler(0, x, y, 3, type).Get1D(2), Sampler(0, x + 1, y, 3, type).Get1D(2)};
      }},
-    {"pixels above each other",
-     [](uint32_t i, SamplerKind kind) {
+    {"pixels above each other", true,
+     [](uint32_t i, SamplerType type) {
        const uint32_t x = i % 1000, y = i / 1000;
-       return Vec2{Sampler(0, x, y, 3, kind).Get1D(2), Sampler(0, x, y + 1, 3, kind).Get1D(2)};
+       return Vec2{Sampler(0, x, y, 3, type).Get1D(2), Sampler(0, x, y + 1, 3, type).Get1D(2)};
      }},
-    {"neighbouring dimensions over pixels",
-     [](uint32_t i, SamplerKind kind) {
-       const Sampler sampler(0, i % 1000, i / 1000, 1, kind);
+    {"neighbouring dimensions over pixels", false,
+     [](uint32_t i, SamplerType type) {
+       const Sampler sampler(0, i % 1000, i / 1000, 1, type);
        return Vec2{sampler.Get1D(16), sampler.Get1D(17)};
      }},
-    {"neighbouring dimensions over samples",
-     [](uint32_t i, SamplerKind kind) {
-       const Sampler sampler(0, i % 4001, 0, i / 4001, kind);
+    {"neighbouring dimensions over samples", false,
+     [](uint32_t i, SamplerType type) {
+       const Sampler sampler(0, i % 4001, 0, i / 4001, type);
        return Vec2{sampler.Get1D(16), sampler.Get1D(17)};
      }},
-    {"same dimension of two bounces",
-     [](uint32_t i, SamplerKind kind) {
-       const Sampler sampler(0, i % 4001, 5, i / 4001, kind);
+    {"same dimension of two bounces", false,
+     [](uint32_t i, SamplerType type) {
+       const Sampler sampler(0, i % 4001, 5, i / 4001, type);
        return Vec2{sampler.Get2D(BounceDimension(0)).y, sampler.Get2D(BounceDimension(1)).y};
      }},
-    {"seeds",
-     [](uint32_t i, SamplerKind kind) {
-       return Vec2{Sampler(i, 9, 9, 0, kind).Get1D(0), Sampler(i + 1, 9, 9, 0, kind).Get1D(0)};
+    {"seeds", false,
+     [](uint32_t i, SamplerType type) {
+       return Vec2{Sampler(i, 9, 9, 0, type).Get1D(0), Sampler(i + 1, 9, 9, 0, type).Get1D(0)};
      }},
 };
 
@@ -132,10 +242,11 @@ TEST_P(EverySampler, PairsAreUniformAndIndependentAcrossPixelsAndDimensions) {
   constexpr uint32_t kSamples = 1000000;
   constexpr size_t kSide = 32;
   for (const Walk& walk : kWalks) {
+    if (walk.compares_pixels && !GetParam().has_independent_pixels) continue;
     std::vector<uint64_t> counts(kSide * kSide);
     double covariance = 0;
     for (uint32_t i = 0; i < kSamples; ++i) {
-      const Vec2 p = walk.pair(i, GetParam());
+      const Vec2 p = walk.pair(i, Type());
       ++counts[static_cast<size_t>(p.y * kSide) * kSide + static_cast<size_t>(p.x * kSide)];
       covariance += (static_cast<double>(p.x) - 0.5) * (static_cast<double>(p.y) - 0.5);
     }

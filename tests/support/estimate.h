@@ -29,7 +29,7 @@ Estimate EstimateMean(const Integrator& integrator, Point point, uint32_t pixels
   double sum = 0, squares = 0;
   for (uint32_t pixel = 0; pixel < pixels; ++pixel) {
     for (uint32_t i = 0; i < samples; ++i) requests[i] = {pixel, 0, i, point(i)};
-    integrator.Trace(requests, workspace.get(), radiance);
+    integrator.Trace(requests, workspace.get(), {radiance});
     double mean = 0;
     for (const Spectrum& value : radiance) mean += static_cast<double>(value[0]) / samples;
     sum += mean;

@@ -1,0 +1,97 @@
+#include "driver/picture_facts.h"
+
+#include <fmt/format.h>
+
+// The functions themselves instead of a library that has to be found.
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include "base/files.h"
+#include "base/text.h"
+#include "sampling/sampler.h"
+#include "scene/compile_scene.h"
+
+namespace candela {
+namespace {
+
+std::string_view PatternName(SamplePattern pattern) {
+  switch (pattern) {
+    case SamplePattern::kCentre:
+      return "centre";
+    case SamplePattern::kStrata:
+      return "jitter";
+    case SamplePattern::kStrataTent:
+      return "jitter_tent";
+    case SamplePattern::kFilter:
+      return "filter";
+  }
+  return "";
+}
+
+std::string SamplerName(SamplerType type) {
+  for (const SamplerEntry& entry : Samplers()) {
+    if (entry.kind != type.kind) continue;
+    const bool is_made_for_a_number = type.kind == SamplerKind::kBlueNoise;
+    return is_made_for_a_number ? fmt::format("{}/{}", entry.name, 1 << type.log2_samples)
+                                : std::string(entry.name);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> HashScene(const SceneSpec& spec) {
+  uint64_t hash = 0;
+  for (const auto& path : InputFiles(spec)) {
+    const Result<std::string> bytes = ReadFile(path);
+    if (!bytes) {
+      return Error{bytes.error().code,
+                   fmt::format("{}: {}", Quote(path.string()), bytes.error().message)};
+    }
+    // The hash of the files before is the seed, and the size is a part of XXH3.
+    hash = XXH3_64bits_withSeed(bytes->data(), bytes->size(), hash);
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+std::string PictureOptions(const RenderRequest& request) {
+  const RenderOptions& render = request.render;
+  const IntegratorOptions& light = request.integrator_options;
+  std::string options =
+      fmt::format("--size {} {} --crop {} {} {} {} --pixel-grid {} --integrator {}", render.width,
+                  render.height, render.crop.x0, render.crop.y0, render.crop.x1, render.crop.y1,
+                  render.grid == PixelGrid::kCorners ? "corners" : "centres", request.integrator);
+  if (render.stretch) options += " --stretch";
+  const auto add = [&options](std::string_view name, const std::optional<uint32_t>& value) {
+    if (value) options += fmt::format(" --{} {}", name, *value);
+  };
+  add("bounces", light.bounces);
+  add("diffuse-bounces", light.diffuse_bounces);
+  add("mirror-bounces", light.mirror_bounces);
+  add("transmission-bounces", light.transmission_bounces);
+  if (light.shadows) options += " --shadows";
+  if (render.pattern == SamplePattern::kFilter) {
+    options += fmt::format(" --filter {}", render.filter);
+  } else {
+    options += fmt::format(" ({})", PatternName(render.pattern));
+  }
+  options += fmt::format(" --sampler {} --seed {}", SamplerName(render.sampler), render.seed);
+  if (render.clamp) options += fmt::format(" --clamp {}", *render.clamp);
+  return options;
+}
+
+CheckpointOwner OwnerOfCheckpoint(const RenderRequest& request, std::string scene_hash) {
+  return {CANDELA_VERSION, std::move(scene_hash), PictureOptions(request)};
+}
+
+std::vector<ExrAttribute> PictureAttributes(const RenderRequest& request,
+                                            const std::string& scene_hash) {
+  return {{"software", "Candela " CANDELA_VERSION},
+          {"candela/scene_hash", scene_hash},
+          {"candela/integrator", request.integrator},
+          {"candela/samples", std::to_string(request.render.samples)},
+          {"candela/seed", std::to_string(request.render.seed)},
+          {"candela/options", PictureOptions(request)}};
+}
+
+}  // namespace candela

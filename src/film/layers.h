@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "math/exact_sum.h"
+#include "sampling/sample_layers.h"
+
+namespace candela {
+
+struct PixelSums;
+
+/// What a picture can hold beside its colours.
+enum class Layer : uint8_t {
+  kDepth,
+  kPosition,
+  kNormal,
+  kGeometricNormal,
+  kAlbedo,
+  kUv,
+  kObjectId,
+  kMaterialId,
+  kDirect,
+  kIndirect,
+  kEmission,
+  kSampleCount,
+  kStandardError,
+};
+inline constexpr size_t kLayerCount = 13;
+
+/// A set of layers.
+class LayerSet {
+ public:
+  constexpr LayerSet() = default;
+  constexpr explicit LayerSet(std::initializer_list<Layer> layers) {
+    for (const Layer layer : layers) Add(layer);
+  }
+
+  constexpr void Add(Layer layer) { bits_ |= Bit(layer); }
+  constexpr bool Has(Layer layer) const { return (bits_ & Bit(layer)) != 0; }
+  constexpr bool HasAny(LayerSet others) const { return (bits_ & others.bits_) != 0; }
+  constexpr bool IsEmpty() const { return bits_ == 0; }
+  friend constexpr bool operator==(LayerSet, LayerSet) = default;
+
+ private:
+  static constexpr uint32_t Bit(Layer layer) { return uint32_t{1} << static_cast<uint32_t>(layer); }
+  uint32_t bits_ = 0;
+};
+
+/// Everything that the layers of a pixel have to remember, apart from the sum of its weights. Like
+/// those of colours its sums are exact, and the nearest sample is the same in any order. Zero bytes
+/// are those of a pixel without samples.
+class PixelLayers {
+ public:
+  /// Adds a sample that the colours have taken. `distance` is the square of that from the middle of
+  /// the pixel.
+  void Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight, float distance,
+           uint32_t index);
+
+  uint32_t SampleCount() const { return count_; }
+  /// That of the sample nearest to the middle of the pixel; of equally near ones the first.
+  const SampleLayers::Surface& Surface() const { return surface_; }
+  Rgb MeanAlbedo(const PixelSums& sums) const;
+  /// See `SampleLayers::light`.
+  Rgb MeanLight(const PixelSums& sums, size_t times_scattered) const;
+  /// The standard error of the pixel's colour, from the spread of its samples as if they were
+  /// independent. 0 for fewer than two.
+  Rgb StandardError(const PixelSums& sums) const;
+
+ private:
+  using Sums = std::array<ExactSum, 3>;
+
+  Sums albedo_;
+  std::array<Sums, 3> light_;
+  Sums squares_, weighted_;  ///< Of weight^2 L^2, and of weight^2 L.
+  ExactSum weight_squares_;
+  SampleLayers::Surface surface_;
+  float distance_ = 0;
+  uint32_t index_ = 0;
+  uint32_t count_ = 0;
+};
+
+/// A row of the table of layers.
+struct LayerEntry {
+  std::string_view name;      ///< Of the layer in the command line and in the file.
+  std::string_view channels;  ///< One letter for each of its channels.
+  bool is_whole;              ///< They are whole numbers, not floats.
+  std::string_view description;
+  /// Stores the values of a pixel, one 32-bit word for each channel as a file holds it: the bits of
+  /// a float, or a whole number.
+  void (*develop)(const PixelLayers& layers, const PixelSums& sums, uint32_t* words);
+};
+
+/// All layers; the index of a row is the number of its `Layer`.
+std::span<const LayerEntry, kLayerCount> Layers();
+
+inline const LayerEntry& EntryOf(Layer layer) {
+  return Layers()[static_cast<size_t>(layer)];
+}
+
+}  // namespace candela

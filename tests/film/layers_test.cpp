@@ -1,0 +1,143 @@
+#include "film/layers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <set>
+
+#include "film/film.h"
+
+namespace candela {
+namespace {
+
+constexpr LayerSet kAll = [] {
+  LayerSet all;
+  for (size_t i = 0; i < kLayerCount; ++i) all.Add(static_cast<Layer>(i));
+  return all;
+}();
+
+SampleLayers Seen(uint32_t object, float depth) {
+  SampleLayers sample;
+  sample.surface.object = object;
+  sample.surface.depth = depth;
+  return sample;
+}
+
+/// One pixel with all layers.
+struct OnePixel {
+  void Add(const SampleLayers& sample, Rgb radiance, float weight, float distance, uint32_t index) {
+    sums.Add(radiance, weight);
+    layers.Add(kAll, sample, radiance, weight, distance, index);
+  }
+  PixelSums sums;
+  PixelLayers layers;
+};
+
+float FloatOf(Layer layer, const OnePixel& pixel, size_t channel = 0) {
+  uint32_t words[3] = {};
+  EntryOf(layer).develop(pixel.layers, pixel.sums, words);
+  return std::bit_cast<float>(words[channel]);
+}
+
+uint32_t WholeOf(Layer layer, const OnePixel& pixel) {
+  uint32_t word = 0;
+  EntryOf(layer).develop(pixel.layers, pixel.sums, &word);
+  return word;
+}
+
+TEST(Layers, HaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const LayerEntry& entry : Layers()) {
+    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
+    EXPECT_FALSE(entry.channels.empty() || entry.description.empty()) << entry.name;
+  }
+  EXPECT_EQ(EntryOf(Layer::kStandardError).name, "standard_error");
+  EXPECT_EQ(EntryOf(Layer::kObjectId).name, "object_id");
+}
+
+TEST(PixelLayers, ShowTheSurfaceOfTheSampleNearestToTheMiddle) {
+  const int orders[][3] = {{0, 1, 2}, {2, 1, 0}, {1, 2, 0}};
+  for (const auto& order : orders) {
+    OnePixel pixel;
+    for (const int i : order) {
+      const float distances[] = {0.3f, 0.1f, 0.1f};
+      pixel.Add(Seen(7 + i, 10.0f + static_cast<float>(i)), {}, 1, distances[i],
+                static_cast<uint32_t>(i));
+    }
+    EXPECT_EQ(WholeOf(Layer::kObjectId, pixel), 8u);  // The first of two that are as near.
+    EXPECT_EQ(FloatOf(Layer::kDepth, pixel), 11);
+    EXPECT_EQ(WholeOf(Layer::kSampleCount, pixel), 3u);
+  }
+}
+
+TEST(PixelLayers, NothingIsFarAwayAndHasNumberZero) {
+  OnePixel pixel;
+  pixel.Add({}, {1, 1, 1}, 1, 0, 0);
+  EXPECT_EQ(FloatOf(Layer::kDepth, pixel), 1e10f);
+  EXPECT_EQ(WholeOf(Layer::kObjectId, pixel), 0u);
+  EXPECT_EQ(WholeOf(Layer::kMaterialId, pixel), 0u);
+}
+
+TEST(PixelLayers, LightAndAlbedoAreWeightedMeans) {
+  OnePixel pixel;
+  SampleLayers one, other;
+  one.albedo = {1, 0.5f, 0};
+  one.AddLight(0, {8, 0, 0});
+  one.AddLight(1, {4, 4, 4});
+  other.AddLight(2, {1, 2, 3});
+  other.AddLight(5, {1, 2, 3});
+  pixel.Add(one, {12, 4, 4}, 3, 0, 0);
+  pixel.Add(other, {2, 4, 6}, 1, 0, 1);
+  EXPECT_EQ(pixel.layers.MeanAlbedo(pixel.sums), (Rgb{0.75f, 0.375f, 0}));
+  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 0), (Rgb{6, 0, 0}));
+  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 1), (Rgb{3, 3, 3}));
+  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 2), (Rgb{0.5f, 1, 1.5f}));
+}
+
+// 1 and 3 have the mean 2 and the variance 2, so that of their mean is 1.
+TEST(PixelLayers, StandardErrorIsThatOfTheMean) {
+  OnePixel pixel;
+  pixel.Add({}, {1, 5, 0}, 1, 0, 0);
+  EXPECT_EQ(pixel.layers.StandardError(pixel.sums), (Rgb{0, 0, 0}));
+  pixel.Add({}, {3, 5, 0}, 1, 0, 1);
+  EXPECT_EQ(pixel.layers.StandardError(pixel.sums), (Rgb{1, 0, 0}));
+  // Five of each have the variance 10 / 9, and their mean has a tenth of that.
+  for (uint32_t i = 2; i < 10; ++i) pixel.Add({}, {i % 2 ? 3.0f : 1.0f, 5, 0}, 1, 0, i);
+  EXPECT_FLOAT_EQ(pixel.layers.StandardError(pixel.sums).x, 1.0f / 3);
+}
+
+TEST(Film, KeepsTheLayersThatAreAskedFor) {
+  const PixelWindow window{2, 3, 5, 5};
+  Film film(window, Film::Keep::kColours, Film::Negative::kTake,
+            LayerSet{Layer::kObjectId, Layer::kUv});
+  FilmTile tile;
+  film.BeginTile(window, &tile);
+  SampleLayers sample = Seen(42, 1);
+  sample.surface.uv = {0.25f, 0.75f};
+  ASSERT_TRUE(tile.Add(4, 3, {1, 1, 1}, 1));
+  tile.AddLayers(4, 3, sample, {1, 1, 1}, 1, 0, 0);
+  film.EndTile(tile);
+  EXPECT_THAT(film.LayerWords(Layer::kObjectId), testing::ElementsAre(0, 0, 42, 0, 0, 0));
+  const auto uv = film.LayerWords(Layer::kUv);
+  ASSERT_EQ(uv.size(), 12u);
+  EXPECT_EQ(std::bit_cast<float>(uv[4]), 0.25f);
+  EXPECT_EQ(std::bit_cast<float>(uv[5]), 0.75f);
+}
+
+TEST(Film, DropsNegativeLightWhereItIsAMistake) {
+  FilmTile tile;
+  for (const auto negative : {Film::Negative::kTake, Film::Negative::kDrop}) {
+    Film film({0, 0, 1, 1}, Film::Keep::kColours, negative);
+    film.BeginTile({0, 0, 1, 1}, &tile);
+    const bool is_taken = negative == Film::Negative::kTake;
+    EXPECT_EQ(tile.Add(0, 0, {1, -0.5f, 1}, 1), is_taken);
+    // The weight of the filter comes after the judgement.
+    EXPECT_TRUE(tile.Add(0, 0, {1, 0.5f, 1}, -1));
+    film.EndTile(tile);
+    EXPECT_EQ(film.DroppedSamples(), is_taken ? 0u : 1u);
+  }
+}
+
+}  // namespace
+}  // namespace candela

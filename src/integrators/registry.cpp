@@ -14,9 +14,9 @@ namespace {
 
 constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false,
-     true},
+     true, false},
     {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
-     true, true},
+     true, true, false},
 };
 
 }  // namespace

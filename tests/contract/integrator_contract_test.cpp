@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, EveryIntegrator,
 TEST_P(EveryIntegrator, CanBeAskedForByName) {
   const auto scene = CompileText(std::string(kCamera) + "Scene { }");
   EXPECT_TRUE(CreateIntegrator(GetParam().name, *scene, {}).ok());
-  EXPECT_FALSE(GetParam().summary.empty());
+  EXPECT_FALSE(GetParam().description.empty());
 }
 
 TEST_P(EveryIntegrator, AnEmptySceneShowsTheBackground) {

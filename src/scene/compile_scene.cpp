@@ -38,7 +38,8 @@ class SceneCompiler {
              }},
             [this](std::string_view name, const SourceLocation& where) {
               return PartNamed(name, where);
-            }} {
+            },
+            {}} {
     if (resolved_) *resolved_ = spec;
   }
 

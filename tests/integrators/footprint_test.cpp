@@ -60,7 +60,7 @@ class Footprint : public testing::Test {
                                  static_cast<float>(y - std::floor(y))};
       requests[i].spacing = spacing;
     }
-    path.Trace(requests, workspace.get(), radiance);
+    path.Trace(requests, workspace.get(), SampleOutput{radiance});
     double sum = 0, squares = 0;
     for (const Spectrum& value : radiance) {
       sum += value[0];

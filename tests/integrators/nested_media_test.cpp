@@ -200,7 +200,7 @@ TEST(NestedMedia, MoreBodiesThanAreKeptTrackOfAreCounted) {
     const auto workspace = path.MakeWorkspace();
     const SampleRequest request{};
     Spectrum radiance;
-    path.Trace({&request, 1}, workspace.get(), {&radiance, 1});
+    path.Trace({&request, 1}, workspace.get(), SampleOutput{{&radiance, 1}});
     return workspace->rays.crowded;
   };
   EXPECT_EQ(crowd(MediumStack::kMost), 0u);

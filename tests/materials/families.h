@@ -24,7 +24,7 @@ struct Family {
 inline std::vector<Family> Families() {
   const Rgb eta{0.14f, 0.37f, 1.44f}, k{3.98f, 2.39f, 1.6f};
   const auto glass = [](float r) {
-    return std::make_unique<DielectricMaterial>(1.5f, Roughness::OfAlpha(r * r), Rgb());
+    return std::make_unique<DielectricMaterial>(Medium{1.5f, {}}, Roughness::OfAlpha(r * r));
   };
   return {
       {"Diffuse",

@@ -20,7 +20,7 @@ class NoisyIntegrator final : public Integrator {
   void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
              const SampleOutput& output) const override {
     for (size_t i = 0; i < samples.size(); ++i) {
-      const auto& [x, y, index, p] = samples[i];
+      const auto& [x, y, index, p, spacing] = samples[i];
       const Sampler sampler(0, x, y, index, SamplerKind::kIndependent);
       const float red = sampler.Get1D(4);
       const float scale = sampler.Get1D(5) < 0.01f ? 1000.0f : 1.0f;

@@ -15,9 +15,9 @@ class ImageFunction final : public Integrator {
       : brightness_(std::move(brightness)) {}
 
   void Trace(std::span<const SampleRequest> samples, Workspace* /*workspace*/,
-             std::span<Spectrum> radiance) const override {
+             const SampleOutput& output) const override {
     for (size_t i = 0; i < samples.size(); ++i) {
-      radiance[i] = Spectrum(brightness_(samples[i].image_point));
+      output.radiance[i] = Spectrum(brightness_(samples[i].image_point));
     }
   }
 

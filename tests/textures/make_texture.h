@@ -25,7 +25,8 @@ inline std::shared_ptr<const Texture> MakeTexture(const std::string& type, const
       params.back().words.push_back({word, {}});
     }
   }
-  return CreateTexture(spec, {diagnostics, folder, nullptr});
+  const auto find_file = [&](const ParamWord& path) { return folder / path.text; };
+  return CreateTexture(spec, TextureContext{diagnostics, find_file, nullptr});
 }
 
 /// A point with these texture coordinates.

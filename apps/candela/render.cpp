@@ -150,9 +150,10 @@ void RenderCommand::AddOptions() {
                  IntegratorSummaries(), kInRender);
   common_.AddLight(&parser_, "0, with path and light_trace as many as it takes");
   IntegratorOptions& light = request_.integrator_options;
-  parser_.Option("diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
-                 "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
-                 kInRender);
+  parser_.Option(
+      "diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
+      "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
+      kInRender);
   parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
                  "with path and light_trace: those by mirrors (default all)", kInRender);
   parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
@@ -283,8 +284,8 @@ Result<void> RenderCommand::CheckAbilities() const {
     return UsageError(fmt::format("--aov: the integrator '{}' has no layers", integrator.name));
   }
   if (request_.checkpoint && integrator.has_light_paths) {
-    return UsageError(fmt::format("--checkpoint: what '{}' has done cannot be kept",
-                                  integrator.name));
+    return UsageError(
+        fmt::format("--checkpoint: what '{}' has done cannot be kept", integrator.name));
   }
   return {};
 }

@@ -9,8 +9,8 @@
 
 namespace candela {
 
-// What `candela render` may be given by name, from the tables of the library: the names, and for the
-// help what each of them is.
+// What `candela render` may be given by name, from the tables of the library: the names, and for
+// the help what each of them is.
 
 std::vector<std::string_view> IntegratorNames();
 std::string IntegratorSummaries();

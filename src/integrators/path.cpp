@@ -169,9 +169,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     vertex.wo = -Normalize(ray.direction);
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
-      output.Add(path.sample, path.bounces,
-                 path.throughput *
-                     lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
+      output.Add(
+          path.sample, path.bounces,
+          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
     }
     if (object.interior != SceneObject::kNoInterior &&
         !FindMedia(object.interior, path, batch, &vertex)) {

@@ -33,7 +33,7 @@ struct IntegratorEntry {
   /// Fails when the scene holds what the integrator does not know.
   Result<std::unique_ptr<Integrator>> (*create)(const Scene& scene,
                                                 const IntegratorOptions& options);
-  bool is_physical;  ///< Solves light transport; the contract tests hold it to a furnace.
+  bool is_physical;      ///< Solves light transport; the contract tests hold it to a furnace.
   bool has_layers;       ///< Fills in `SampleOutput::layers`.
   bool has_light_paths;  ///< Light lands in pixels from paths that begin at lamps.
 };

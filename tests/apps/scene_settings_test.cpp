@@ -90,10 +90,11 @@ TEST_F(SceneSettingsTest, JitterTakesThePlaceOfSamplesAndFilter) {
             Rendered("", {"--jitter"}));
 }
 
-// An exposure concerns pictures for eyes; a file that holds the light itself has none.
+// An exposure concerns pictures for eyes; a file that holds the light itself has none. (An .exr
+// file would tell which options it was made with.)
 TEST_F(SceneSettingsTest, TheToneCurveLeavesTheLightItself) {
-  EXPECT_EQ(Rendered("Film { tonemap agx exposure 2 size 9 9 }", {}, "o.exr"),
-            Rendered("", {"--size", "9", "9"}, "o.exr"));
+  EXPECT_EQ(Rendered("Film { tonemap agx exposure 2 size 9 9 }", {}, "o.pfm"),
+            Rendered("", {"--size", "9", "9"}, "o.pfm"));
 }
 
 TEST_F(SceneSettingsTest, WrongOnesArePlaced) {
@@ -102,8 +103,8 @@ TEST_F(SceneSettingsTest, WrongOnesArePlaced) {
             "'samples'?)\n");
   EXPECT_EQ(
       Checked("Film { filter gausian }"),
-      "scene.txt:1:15: error: 'filter' expects 'box', 'tent', 'gaussian' or 'mitchell', found "
-      "'gausian' (did you mean 'gaussian'?)\n");
+      "scene.txt:1:15: error: 'filter' expects 'box', 'tent', 'gaussian', 'blackman_harris' or "
+      "'mitchell', found 'gausian' (did you mean 'gaussian'?)\n");
   EXPECT_EQ(Checked("Render { samples 0 }"),
             "scene.txt:1:18: error: 'samples' expects a whole number from 1 to 2147483647, found "
             "'0'\n");

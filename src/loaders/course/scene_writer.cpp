@@ -39,9 +39,8 @@ class Writer {
     WriteList("Materials", spec_.materials, [this](const MaterialSpec& each) {
       WriteTyped("Material", each.name, each.material);
     });
-    WriteList("Media", spec_.media, [this](const MediumSpec& each) {
-      WriteBlock("Medium", each.name, {}, each.params);
-    });
+    WriteList("Media", spec_.media,
+              [this](const MediumSpec& each) { WriteBlock("Medium", each.name, {}, each.params); });
     WriteNodes();
     return std::move(text_);
   }

@@ -113,9 +113,11 @@ void PixelLayers::Add(LayerSet layers, const SampleLayers& sample, Rgb radiance,
   }
   if (layers.Has(Layer::kStandardError)) {
     const float square = weight * weight;
-    AddTo(&weighted_, radiance * square);
     AddTo(&squares_, radiance * radiance * square);
-    weight_squares_.Add(square);
+    if (weight != 1) {
+      AddTo(&weighted_excess_, radiance * (square - weight));
+      weight_excess_.Add(square - weight);
+    }
   }
 }
 
@@ -124,7 +126,13 @@ Rgb PixelLayers::MeanAlbedo(const PixelSums& sums) const {
 }
 
 Rgb PixelLayers::MeanLight(const PixelSums& sums, size_t times_scattered) const {
-  return MeanOf(light_[times_scattered], sums);
+  if (times_scattered < light_.size()) return MeanOf(light_[times_scattered], sums);
+  const double divisor = sums.weight.ToDouble();
+  if (divisor == 0) return {};
+  const auto rest = [&](size_t i, const ExactSum& all) {
+    return (all.ToDouble() - light_[0][i].ToDouble() - light_[1][i].ToDouble()) / divisor;
+  };
+  return ToFloat({rest(0, sums.red), rest(1, sums.green), rest(2, sums.blue)});
 }
 
 // The pixel is sum(w L) / sum(w). Its variance is n / (n - 1) times the sum of w^2 (L - mean)^2
@@ -133,10 +141,12 @@ Rgb PixelLayers::StandardError(const PixelSums& sums) const {
   const double weight = sums.weight.ToDouble();
   if (count_ < 2 || weight == 0) return {};
   const double correction = static_cast<double>(count_) / (count_ - 1);
+  const double weight_squares = weight + weight_excess_.ToDouble();
   const auto error = [&](size_t i, const ExactSum& sum) {
     const double mean = sum.ToDouble() / weight;
-    const double spread = squares_[i].ToDouble() - 2 * mean * weighted_[i].ToDouble() +
-                          mean * mean * weight_squares_.ToDouble();
+    const double weighted = sum.ToDouble() + weighted_excess_[i].ToDouble();
+    const double spread =
+        squares_[i].ToDouble() - 2 * mean * weighted + mean * mean * weight_squares;
     return std::sqrt(correction * std::max(0.0, spread)) / std::abs(weight);
   };
   return ToFloat({error(0, sums.red), error(1, sums.green), error(2, sums.blue)});

@@ -65,7 +65,7 @@ class PixelLayers {
   /// That of the sample nearest to the middle of the pixel; of equally near ones the first.
   const SampleLayers::Surface& Surface() const { return surface_; }
   Rgb MeanAlbedo(const PixelSums& sums) const;
-  /// See `SampleLayers::light`.
+  /// See `SampleLayers::light`. The three parts add up to the colour of the pixel.
   Rgb MeanLight(const PixelSums& sums, size_t times_scattered) const;
   /// The standard error of the pixel's colour, from the spread of its samples as if they were
   /// independent. 0 for fewer than two.
@@ -75,9 +75,12 @@ class PixelLayers {
   using Sums = std::array<ExactSum, 3>;
 
   Sums albedo_;
-  std::array<Sums, 3> light_;
-  Sums squares_, weighted_;  ///< Of weight^2 L^2, and of weight^2 L.
-  ExactSum weight_squares_;
+  std::array<Sums, 2> light_;  ///< What was scattered more often is the rest of the pixel's.
+  Sums squares_;               ///< Of weight^2 L^2.
+  // By how much the sums of weight^2 L and of weight^2 exceed those of the pixel, of weight L and
+  // of weight: nothing for most filters, whose samples all weigh 1.
+  Sums weighted_excess_;
+  ExactSum weight_excess_;
   SampleLayers::Surface surface_;
   float distance_ = 0;
   uint32_t index_ = 0;

@@ -70,10 +70,12 @@ class FilmTile {
 
   /// Adds to the film's layers what else belongs to a sample that `Add` has taken; see
   /// `PixelLayers::Add`.
-  void AddLayers(int x, int y, const SampleLayers& sample, Rgb radiance, float weight,
-                 float distance, uint32_t index) {
-    layers_[IndexOf(x, y)].Add(recorded_, sample, radiance, weight, distance, index);
+  void AddLayers(int x, int y, const SampleLayers& sample, Rgb radiance, float weight) {
+    layers_[IndexOf(x, y)].Add(recorded_, sample, radiance, weight);
   }
+
+  /// What layers say of a pixel apart from its light; there have to be some.
+  PixelLayers& LayersAt(int x, int y) { return layers_[IndexOf(x, y)]; }
 
   const PixelWindow& Window() const { return window_; }
 

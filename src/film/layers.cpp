@@ -97,16 +97,19 @@ std::span<const LayerEntry, kLayerCount> Layers() {
   return kLayers;
 }
 
-void PixelLayers::Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight,
-                      float distance, uint32_t index) {
-  const bool is_nearer =
-      distance < distance_ || (distance == distance_ && index < index_) || count_ == 0;
-  ++count_;
-  if (is_nearer) {
-    surface_ = sample.surface;
+bool PixelLayers::IsNearest(float distance, uint32_t index) {
+  const bool is_nearest =
+      !has_nearest_ || distance < distance_ || (distance == distance_ && index < index_);
+  if (is_nearest) {
+    has_nearest_ = true;
     distance_ = distance;
     index_ = index;
   }
+  return is_nearest;
+}
+
+void PixelLayers::Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight) {
+  ++count_;
   if (layers.Has(Layer::kAlbedo)) AddTo(&albedo_, sample.albedo * weight);
   if (layers.HasAny(kLightLayers)) {
     for (size_t i = 0; i < light_.size(); ++i) AddTo(&light_[i], sample.light[i] * weight);

@@ -56,13 +56,16 @@ class LayerSet {
 /// are those of a pixel without samples.
 class PixelLayers {
  public:
-  /// Adds a sample that the colours have taken. `distance` is the square of that from the middle of
-  /// the pixel.
-  void Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight, float distance,
-           uint32_t index);
+  /// Whether a sample is nearer to the middle of the pixel than all that this was asked of before,
+  /// of equally near ones the first; `distance` is the square of that. Then its surface is that of
+  /// the pixel, whether its light counts or not.
+  bool IsNearest(float distance, uint32_t index);
+  void SetSurface(const SampleLayers::Surface& surface) { surface_ = surface; }
+
+  /// Adds the light of a sample that the colours have taken.
+  void Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight);
 
   uint32_t SampleCount() const { return count_; }
-  /// That of the sample nearest to the middle of the pixel; of equally near ones the first.
   const SampleLayers::Surface& Surface() const { return surface_; }
   Rgb MeanAlbedo(const PixelSums& sums) const;
   /// See `SampleLayers::light`. The three parts add up to the colour of the pixel.
@@ -82,8 +85,9 @@ class PixelLayers {
   Sums weighted_excess_;
   ExactSum weight_excess_;
   SampleLayers::Surface surface_;
-  float distance_ = 0;
+  float distance_ = 0;  ///< Of the nearest sample, if there is one.
   uint32_t index_ = 0;
+  bool has_nearest_ = false;
   uint32_t count_ = 0;
 };
 

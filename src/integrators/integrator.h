@@ -45,13 +45,19 @@ struct SampleOutput {
   std::span<Spectrum> radiance;
   std::span<SampleLayers> layers = {};  ///< Empty when nobody asks for them.
   bool needs_uv = false;                ///< Texture coordinates count, even without a texture.
+  /// By sample, whether `SampleLayers::surface` is asked for; empty where it is of all.
+  std::span<const uint8_t> wants_surface = {};
 
   bool HasLayers() const { return !layers.empty(); }
+  bool WantsSurface(size_t sample) const {
+    return wants_surface.empty() || wants_surface[sample] != 0;
+  }
 
   /// What belongs to `count` samples from the sample `begin` on.
   SampleOutput Part(size_t begin, size_t count) const {
     return {radiance.subspan(begin, count),
-            HasLayers() ? layers.subspan(begin, count) : std::span<SampleLayers>(), needs_uv};
+            HasLayers() ? layers.subspan(begin, count) : std::span<SampleLayers>(), needs_uv,
+            wants_surface.empty() ? wants_surface : wants_surface.subspan(begin, count)};
   }
 
   /// Begins with a sample that has seen nothing yet.

@@ -192,7 +192,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (is_recorded) {
       SampleLayers& layers = output.layers[path.sample];
       layers.albedo = AlbedoOf(vertex.bsdf);
-      layers.surface = RecordSurface(scene_, ray, hit, vertex.point, output.needs_uv);
+      if (output.WantsSurface(path.sample)) {
+        layers.surface = RecordSurface(scene_, ray, hit, vertex.point, output.needs_uv);
+      }
     }
     if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {

@@ -170,7 +170,9 @@ void WhittedIntegrator::RecordSurfaces(Batch* batch, const SampleOutput& output)
     SampleLayers& layers = output.layers[paths.states()[i].sample];
     const PhongTerms terms = scene_.material(hit).Phong(point);
     layers.albedo = Min(terms.diffuse + terms.specular, Rgb{1, 1, 1});
-    layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
+    if (output.WantsSurface(paths.states()[i].sample)) {
+      layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
+    }
   }
 }
 

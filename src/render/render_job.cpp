@@ -45,7 +45,11 @@ class RenderJob::Worker {
       for (uint32_t index = begin; index < end; ++index) {
         const SamplePlacer::Placed placed = placer_.Place(x, y, index);
         requests_.push_back(placed.request);
-        places_.push_back({placed.weight, placed.off_centre});
+        weights_.push_back(placed.weight);
+        if (has_layers_) {
+          const bool is_nearest = tile_.LayersAt(x, y).IsNearest(placed.off_centre, index);
+          wants_surface_.push_back(is_nearest ? 1 : 0);
+        }
         if (requests_.size() < kBatch) continue;
         // Asked here, since a tile of many samples per pixel takes minutes.
         is_cancelled = cancel_.IsCancelled();
@@ -56,7 +60,8 @@ class RenderJob::Worker {
     });
     if (is_cancelled) {
       requests_.clear();
-      places_.clear();
+      weights_.clear();
+      wants_surface_.clear();
       return false;
     }
     TraceBatch();
@@ -72,45 +77,42 @@ class RenderJob::Worker {
   ClampLoss TakeLost() { return std::exchange(lost_, {}); }
 
  private:
-  /// What the film has to know of a sample beside its request.
-  struct Place {
-    float weight;
-    float off_centre;
-  };
-
   static constexpr size_t kBatch = 1024;
 
   void TraceBatch() {
     const uint64_t rays_before = workspace_->rays.Total();
     radiance_.resize(requests_.size());
     if (has_layers_) layers_.resize(requests_.size());
-    job_.integrator_.Trace(requests_, workspace_.get(),
-                           {radiance_, layers_, job_.options_.layers.Has(Layer::kUv)});
+    job_.integrator_.Trace(
+        requests_, workspace_.get(),
+        {radiance_, layers_, job_.options_.layers.Has(Layer::kUv), wants_surface_});
     for (size_t i = 0; i < requests_.size(); ++i) TakeSample(i);
+    wants_surface_.clear();
     job_.samples_done_.fetch_add(requests_.size(), std::memory_order_relaxed);
     job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
     requests_.clear();
-    places_.clear();
+    weights_.clear();
   }
 
   void TakeSample(size_t i) {
     const int x = static_cast<int>(requests_[i].x), y = static_cast<int>(requests_[i].y);
+    // Of those nearer than all before them the last one is the nearest.
+    if (has_layers_ && wants_surface_[i]) tile_.LayersAt(x, y).SetSurface(layers_[i].surface);
     const Rgb radiance = radiance_[i].ToRgb();
     const float factor = clamp_.IsOn() ? clamp_.Factor(radiance) : 1;
     const Rgb limited = radiance * factor;
     const bool is_taken = has_one_sample_ ? job_.film_.SetOnlySample(x, y, limited)
-                                          : tile_.Add(x, y, limited, places_[i].weight);
+                                          : tile_.Add(x, y, limited, weights_[i]);
     if (!is_taken) {
       dropped_of_tile_.Add({x, y, requests_[i].index, radiance});
       return;
     }
-    if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, places_[i].weight, &lost_of_tile_);
+    if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, weights_[i], &lost_of_tile_);
     if (!has_layers_) return;
     if (factor < 1) {
       for (Rgb& light : layers_[i].light) light *= factor;
     }
-    tile_.AddLayers(x, y, layers_[i], limited, places_[i].weight, places_[i].off_centre,
-                    requests_[i].index);
+    tile_.AddLayers(x, y, layers_[i], limited, weights_[i]);
   }
 
   RenderJob& job_;
@@ -123,9 +125,10 @@ class RenderJob::Worker {
   std::unique_ptr<Workspace> workspace_;
   FilmTile tile_;
   std::vector<SampleRequest> requests_;
-  std::vector<Place> places_;
+  std::vector<float> weights_;
   std::vector<Spectrum> radiance_;
-  std::vector<SampleLayers> layers_;  ///< Empty when nobody asks for layers.
+  std::vector<SampleLayers> layers_;    ///< Empty when nobody asks for layers.
+  std::vector<uint8_t> wants_surface_;  ///< The same; the nearest to the middle of their pixels.
   DroppedSamples dropped_, dropped_of_tile_;
   ClampLoss lost_, lost_of_tile_;
 };

@@ -28,7 +28,8 @@ SampleLayers Seen(uint32_t object, float depth) {
 struct OnePixel {
   void Add(const SampleLayers& sample, Rgb radiance, float weight, float distance, uint32_t index) {
     sums.Add(radiance, weight);
-    layers.Add(kAll, sample, radiance, weight, distance, index);
+    if (layers.IsNearest(distance, index)) layers.SetSurface(sample.surface);
+    layers.Add(kAll, sample, radiance, weight);
   }
   PixelSums sums;
   PixelLayers layers;
@@ -116,7 +117,8 @@ TEST(Film, KeepsTheLayersThatAreAskedFor) {
   SampleLayers sample = Seen(42, 1);
   sample.surface.uv = {0.25f, 0.75f};
   ASSERT_TRUE(tile.Add(4, 3, {1, 1, 1}, 1));
-  tile.AddLayers(4, 3, sample, {1, 1, 1}, 1, 0, 0);
+  tile.LayersAt(4, 3).SetSurface(sample.surface);
+  tile.AddLayers(4, 3, sample, {1, 1, 1}, 1);
   film.EndTile(tile);
   EXPECT_THAT(film.LayerWords(Layer::kObjectId), testing::ElementsAre(0, 0, 42, 0, 0, 0));
   const auto uv = film.LayerWords(Layer::kUv);

@@ -7,3 +7,4 @@ find_package(OpenEXR REQUIRED)
 find_package(ZLIB REQUIRED)
 find_path(CANDELA_XXHASH_FOLDER xxhash.h REQUIRED)  # A header only.
 pkg_check_modules(spng REQUIRED IMPORTED_TARGET spng)
+pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)

@@ -1,14 +1,9 @@
-// EXR files: a picture or an error, and a picture survives being written and read again. Every
-// block of such a file is found by its place, so an input that grows or shrinks seldom comes past
-// the header; half of the time a mutator of its own changes bytes where they are.
+// EXR files: a picture or an error, and a picture survives being written and read again.
 #include <algorithm>
 #include <bit>
-#include <random>
 
 #include "base/check.h"
 #include "image/exr.h"
-
-extern "C" size_t LLVMFuzzerMutate(unsigned char* data, size_t size, size_t most);
 
 namespace {
 
@@ -22,20 +17,6 @@ bool IsSame(const candela::Image& a, const candela::Image& b) {
 }
 
 }  // namespace
-
-extern "C" size_t LLVMFuzzerCustomMutator(unsigned char* data, size_t size, size_t most,
-                                          unsigned seed) {
-  std::minstd_rand random(seed);
-  if (size == 0 || random() % 2 == 0) return LLVMFuzzerMutate(data, size, most);
-  for (auto changes = 1 + random() % 4; changes > 0; --changes) {
-    unsigned char& byte = data[random() % size];
-    const auto kind = random() % 3;
-    if (kind == 0) byte = static_cast<unsigned char>(random());
-    if (kind == 1) byte = static_cast<unsigned char>(byte ^ 1u << random() % 8);
-    if (kind == 2) byte = static_cast<unsigned char>(byte + (random() % 2 == 0 ? 1 : 255));
-  }
-  return size;
-}
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
   using namespace candela;

@@ -85,7 +85,7 @@ int RunCompareCommand(Words words) {
   float gain = 1;
   Thresholds allowed;
   ArgParser parser("candela compare", kSummary, ArgStyle::kGnu);
-  parser.Positional(File("A", &a_path), "a picture: .png, .exr, .hdr or .pfm");
+  parser.Positional(File("A", &a_path), "a picture: .png, .jpg, .exr, .hdr or .pfm");
   parser.Positional(File("B", &b_path), "another one");
   parser.Group("Thresholds");
   parser.Option("min-psnr", {NotNegative("DB", &allowed.min_psnr)}, "least PSNR in decibels");

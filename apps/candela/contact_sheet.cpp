@@ -58,7 +58,7 @@ int RunContactSheetCommand(Words words) {
   std::vector<std::filesystem::path> inputs;
   SheetLayout layout;
   ArgParser parser("candela contact-sheet", kSummary, ArgStyle::kGnu);
-  parser.Positional(File("OUT", &output), "the sheet: .png, .exr, .hdr or .pfm");
+  parser.Positional(File("OUT", &output), "the sheet: .png, .jpg, .exr, .hdr or .pfm");
   parser.PositionalList(File("IN", &inputs), "pictures");
   parser.Group("Layout");
   parser.Option("columns", {Whole("N", &layout.columns, 1, 1000)},

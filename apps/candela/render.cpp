@@ -130,7 +130,8 @@ void RenderCommand::AddOptions() {
   parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
                  kInFilm);
   parser_.Option("exposure", {Real("EV", &exposure_)},
-                 "brightness of .png files in stops: 1 doubles the light (default 0)", kInFilm);
+                 "brightness of .png and .jpg files in stops: 1 doubles the light (default 0)",
+                 kInFilm);
 
   parser_.Group("Frame");
   common_.AddFrame(&parser_);
@@ -329,11 +330,11 @@ Result<void> RenderCommand::FinishIsa() {
 }
 
 Result<void> RenderCommand::CheckTone() const {
-  if (request_.output && FormatOf(*request_.output) != ImageFormat::kPng) {
+  if (request_.output && !IsForDisplays(*FormatOf(*request_.output))) {
     for (const char* name : {"tonemap", "exposure"}) {
       if (!parser_.Has(name)) continue;
       return UsageError(
-          fmt::format("--{} is for .png files; the others hold the light itself", name));
+          fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
     }
   }
   return {};

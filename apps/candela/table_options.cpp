@@ -42,8 +42,9 @@ std::vector<std::string_view> ToneCurveNames() {
 }
 
 std::string ToneCurveSummaries() {
-  return Summaries("how .png files show the light (default none, with path and light_trace srgb)",
-                   ToneCurves());
+  return Summaries(
+      "how .png and .jpg files show the light (default none, with path and light_trace srgb)",
+      ToneCurves());
 }
 
 std::vector<std::string_view> SamplerNames() {

@@ -76,15 +76,17 @@ CommonOptions::CommonOptions(RenderRequest* request)
 
 void CommonOptions::AddPictures(ArgParser* parser) {
   const bool course = parser->style() == ArgStyle::kCourse;
-  parser->Option("output", {File("FILE", &request_.output)},
-                 "colour picture; .png holds values from 0 to 1, .exr, .hdr and .pfm hold them all",
-                 {.letter = course ? '\0' : 'o'});
+  parser->Option(
+      "output", {File("FILE", &request_.output)},
+      "colour picture; .png and .jpg hold values from 0 to 1, .exr, .hdr and .pfm hold them all",
+      {.letter = course ? '\0' : 'o'});
   parser->Option("normals", {File("FILE", &request_.normals)},
                  "picture of the surface normals, in the same formats");
   parser->Option("depth",
                  {Real("MIN", &depth_.min), Real("MAX", &depth_.max), File("FILE", &depth_.path)},
                  "picture of the distances: MIN is black and MAX is white (MIN may be the larger "
-                 "one); formats other than .png hold the distances themselves");
+                 "one); formats other than .png and .jpg hold the distances "
+                 "themselves");
 }
 
 void CommonOptions::AddFrame(ArgParser* parser) {

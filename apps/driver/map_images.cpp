@@ -28,7 +28,7 @@ Image NormalImage(const std::vector<FirstHit>& hits, const PixelWindow& crop, Im
 
 Image DepthImage(const std::vector<FirstHit>& hits, const PixelWindow& crop,
                  const DepthOutput& output, ImageFormat format) {
-  const bool is_mapped = format == ImageFormat::kPng;
+  const bool is_mapped = IsForDisplays(format);
   return MapHits(hits, crop, [&](const FirstHit& hit) {
     const float value =
         is_mapped ? (hit.depth - output.min) / (output.max - output.min) : hit.depth;

@@ -26,9 +26,10 @@ Result<void> CheckOutput(const std::filesystem::path& path) {
 
 Result<void> CheckPictureOutput(const std::filesystem::path& path) {
   if (!FormatOf(path)) {
-    return Error{ErrorCode::kUsage,
-                 fmt::format("{}: the name of a picture has to end in .png, .exr, .hdr or .pfm",
-                             Quote(path.string()))};
+    return Error{
+        ErrorCode::kUsage,
+        fmt::format("{}: the name of a picture has to end in .png, .jpg, .exr, .hdr or .pfm",
+                    Quote(path.string()))};
   }
   return CheckOutput(path);
 }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "driver/render_request.h"
 #include "film/encode_film.h"
 #include "image/image_file.h"
+#include "image/jpeg.h"
 #include "render/render_first_hits.h"
 #include "render/render_job.h"
 #include "render/sample_placer.h"
@@ -83,6 +85,12 @@ class RenderRun {
   Result<void> CheckOutputs() const {
     for (const auto& path : Pictures()) {
       if (auto checked = CheckPictureOutput(path); !checked) return checked;
+      const PixelWindow& crop = request_.render.crop;
+      if (FormatOf(path) != ImageFormat::kJpeg) continue;
+      if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) continue;
+      return Error{ErrorCode::kUsage,
+                   fmt::format("{}: a side of a JPEG picture has at most {} pixels",
+                               Quote(path.string()), kMostJpegSide)};
     }
     for (const auto& path : {request_.stats_json, request_.checkpoint}) {
       if (!path) continue;

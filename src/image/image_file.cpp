@@ -1,8 +1,10 @@
 #include "image/image_file.h"
 
 #include "base/files.h"
+#include "image/channels.h"
 #include "image/exr.h"
 #include "image/hdr.h"
+#include "image/jpeg.h"
 #include "image/pfm.h"
 #include "image/png_chunks.h"
 #include "image/png_read.h"
@@ -17,6 +19,7 @@ std::optional<ImageFormat> FormatOf(const std::filesystem::path& path) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   if (extension == ".png") return ImageFormat::kPng;
+  if (extension == ".jpg" || extension == ".jpeg") return ImageFormat::kJpeg;
   if (extension == ".exr") return ImageFormat::kExr;
   if (extension == ".hdr") return ImageFormat::kHdr;
   if (extension == ".pfm") return ImageFormat::kPfm;
@@ -25,6 +28,7 @@ std::optional<ImageFormat> FormatOf(const std::filesystem::path& path) {
 
 std::optional<ImageFormat> FormatOfContent(std::string_view bytes) {
   if (bytes.starts_with(kPngSignature)) return ImageFormat::kPng;
+  if (bytes.starts_with(kJpegSignature)) return ImageFormat::kJpeg;
   if (bytes.starts_with("\x76\x2f\x31\x01")) return ImageFormat::kExr;
   if (bytes.starts_with("#?")) return ImageFormat::kHdr;
   if (bytes.starts_with("PF") || bytes.starts_with("Pf")) return ImageFormat::kPfm;
@@ -34,12 +38,17 @@ std::optional<ImageFormat> FormatOfContent(std::string_view bytes) {
 Result<Image> DecodeImage(std::string_view bytes, std::vector<std::string>* warnings,
                           int64_t most_bytes) {
   const std::optional<ImageFormat> format = FormatOfContent(bytes);
-  if (!format) return Error{ErrorCode::kInput, "this is not a PNG, EXR, HDR or PFM picture"};
+  if (!format) return Error{ErrorCode::kInput, "this is not a PNG, JPEG, EXR, HDR or PFM picture"};
   switch (*format) {
     case ImageFormat::kPng: {
       const Result<PngImage> png = DecodePng(bytes, warnings, most_bytes);
       if (!png) return png.error();
       return png->ToFloat();
+    }
+    case ImageFormat::kJpeg: {
+      const Result<ByteImage> jpeg = DecodeJpeg(bytes, most_bytes);
+      if (!jpeg) return jpeg.error();
+      return ToFloat(*jpeg);
     }
     case ImageFormat::kExr:
       return DecodeExr(bytes, most_bytes);
@@ -81,6 +90,12 @@ Result<std::string> EncodeAsPng(const Image& image, const EncodeOptions& options
   return EncodePng(RoundToBytes(Toned(image, options.tone)));
 }
 
+Result<std::string> EncodeAsJpeg(const Image& image, const EncodeOptions& options) {
+  const Image opaque = WithChannels(image, image.Channels() < 3 ? 1 : 3);
+  if (!options.tone.curve) return EncodeJpeg(QuantiseToBytes(opaque));
+  return EncodeJpeg(RoundToBytes(Toned(opaque, options.tone)));
+}
+
 }  // namespace
 
 Result<std::string> EncodeImage(const Image& image, ImageFormat format,
@@ -89,6 +104,8 @@ Result<std::string> EncodeImage(const Image& image, ImageFormat format,
   switch (format) {
     case ImageFormat::kPng:
       return EncodeAsPng(image, options);
+    case ImageFormat::kJpeg:
+      return EncodeAsJpeg(image, options);
     case ImageFormat::kExr:
       return EncodeExr(image, options.attributes);
     case ImageFormat::kHdr:

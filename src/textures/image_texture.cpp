@@ -62,8 +62,8 @@ std::shared_ptr<const Texture> ImageTexture::Create(ParamReader* params,
   const ParamWord name = params->RequiredPath("file");
   const std::filesystem::path path = context.find_file(name);
   // Eight bits are made for eyes, and so for the curve; the others hold light.
-  const bool is_png = FormatOf(path).value_or(ImageFormat::kPng) == ImageFormat::kPng;
-  const bool is_srgb = params->Choice("encoding", kEncodings, is_png ? 0 : 1) == 0;
+  const bool is_for_eyes = IsForDisplays(FormatOf(path).value_or(ImageFormat::kPng));
+  const bool is_srgb = params->Choice("encoding", kEncodings, is_for_eyes ? 0 : 1) == 0;
   const auto wrap = static_cast<Wrap>(params->Choice("wrap", kWraps, 0));
   const UvTransform transform = UvTransform::Create(params);
   if (name.text.empty()) return nullptr;

@@ -131,8 +131,8 @@ TEST_F(Assignment4Test, RefusesAWrongCommandLine) {
           "-depth: expects a number for MAX, found 'inf'");
   refused({"-input", "scene.txt"},
           "nothing to do: give -output FILE, -normals FILE or -depth MIN MAX FILE");
-  refused({"-input", "scene.txt", "-output", "o.jpg"},
-          "'o.jpg': the name of a picture has to end in .png, .exr, .hdr or .pfm");
+  refused({"-input", "scene.txt", "-output", "o.gif"},
+          "'o.gif': the name of a picture has to end in .png, .jpg, .exr, .hdr or .pfm");
   EXPECT_THAT(folder_.Names(), ElementsAre("scene.txt"));
   EXPECT_THAT(Assignment4({}).err, HasSubstr("\nRun 'assignment4 -help' to see what it takes.\n"));
 }

@@ -160,7 +160,7 @@ TEST_F(CandelaTest, ContactSheetRefusesWhatCannotBeOne) {
   refused({"sheet.png"}, 2, "IN is missing");
   refused({"a.png", "a.png"}, 2, "'a.png' is one of the pictures, which would be overwritten");
   refused({"sheet.txt", "a.png"}, 2,
-          "'sheet.txt': the name of a picture has to end in .png, .exr, .hdr or .pfm");
+          "'sheet.txt': the name of a picture has to end in .png, .jpg, .exr, .hdr or .pfm");
   refused({"sheet.png", "missing.png"}, 1, "'missing.png': no such file");
   EXPECT_EQ(Candela({"contact-sheet", "sheet.png", "a.png"}).status, 1);
   EXPECT_EQ(Bytes("a.png"), "nothing like it");

@@ -236,9 +236,11 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
 
 TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
   ExpectUsageError({"-o", "o.exr", "--tonemap", "agx"},
-                   "--tonemap is for .png files; the others hold the light itself");
+                   "--tonemap is for .png and .jpg files; the others hold the light itself");
   ExpectUsageError({"-o", "o.hdr", "--exposure", "1"},
-                   "--exposure is for .png files; the others hold the light itself");
+                   "--exposure is for .png and .jpg files; the others hold the light itself");
+  ExpectUsageError({"-o", "o.jpg", "--size", "65501", "2"},
+                   "'o.jpg': a side of a JPEG picture has at most 65500 pixels");
   ExpectUsageError({"-o", "o.png", "--jitter", "--samples", "4"},
                    "--jitter and --samples: give one of them");
   ExpectUsageError({"-o", "o.png", "--jitter", "--filter", "box"},

@@ -42,8 +42,8 @@ TEST(ToImage, HoldsThePixelsOfTheWindow) {
 TEST(FilmEncoder, GivesTheBytesOfItsImageInEveryFormat) {
   const TestFilm test;
   const Film& film = test.film;
-  for (const ImageFormat format :
-       {ImageFormat::kPng, ImageFormat::kExr, ImageFormat::kHdr, ImageFormat::kPfm}) {
+  for (const ImageFormat format : {ImageFormat::kPng, ImageFormat::kJpeg, ImageFormat::kExr,
+                                   ImageFormat::kHdr, ImageFormat::kPfm}) {
     for (const int bits : {8, 16, -8}) {
       EncodeOptions options;
       options.png_bits = std::abs(bits);

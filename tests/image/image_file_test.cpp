@@ -22,13 +22,15 @@ TEST(FormatOf, GoesByTheExtensionInAnyCase) {
   EXPECT_EQ(FormatOf("x.tar.Hdr"), ImageFormat::kHdr);
   EXPECT_EQ(FormatOf("x.pfm"), ImageFormat::kPfm);
   EXPECT_EQ(FormatOf("png"), std::nullopt);
-  EXPECT_EQ(FormatOf("x.jpg"), std::nullopt);
+  EXPECT_EQ(FormatOf("x.Jpeg"), ImageFormat::kJpeg);
+  EXPECT_EQ(FormatOf("x.jpg"), ImageFormat::kJpeg);
+  EXPECT_EQ(FormatOf("x.gif"), std::nullopt);
   EXPECT_EQ(FormatOf(""), std::nullopt);
 }
 
 TEST(EncodeImage, ContentShowsTheFormat) {
-  for (const ImageFormat format :
-       {ImageFormat::kPng, ImageFormat::kExr, ImageFormat::kHdr, ImageFormat::kPfm}) {
+  for (const ImageFormat format : {ImageFormat::kPng, ImageFormat::kJpeg, ImageFormat::kExr,
+                                   ImageFormat::kHdr, ImageFormat::kPfm}) {
     const Result<std::string> file = EncodeImage(WideRange(), format);
     ASSERT_TRUE(file.ok()) << file.error().message;
     EXPECT_EQ(FormatOfContent(*file), format);
@@ -74,7 +76,8 @@ TEST(EncodeImage, PngKeepsLevels) {
 }
 
 TEST(DecodeImage, UnknownContentIsAnError) {
-  EXPECT_EQ(DecodeImage("GIF89a").error().message, "this is not a PNG, EXR, HDR or PFM picture");
+  EXPECT_EQ(DecodeImage("GIF89a").error().message,
+            "this is not a PNG, JPEG, EXR, HDR or PFM picture");
   EXPECT_EQ(DecodeImage("").error().code, ErrorCode::kInput);
 }
 

@@ -1,6 +1,7 @@
 // What is said about pictures that are broken, cut short, far too large, or hold what is no light:
 // in the place of a texture, and around a scene.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,9 +37,24 @@ std::string Little(uint32_t value) {
   return bytes;
 }
 
-/// A file with a header that promises 100,000 x 100,000 pixels and little else.
+/// Pixels on each side of a picture that is far too large; no JPEG file promises more.
+int HugeSide(ImageFormat format) {
+  return format == ImageFormat::kJpeg ? 65500 : 100000;
+}
+
+/// A small file whose frame header says other sides.
+std::string HugeJpeg() {
+  std::string jpeg = Encoded(Image(2, 2, 3, 1.0f), ImageFormat::kJpeg);
+  const size_t frame = jpeg.find("\xff\xc0");
+  EXPECT_NE(frame, jpeg.npos);
+  return jpeg.replace(frame + 5, 4, "\xff\xdc\xff\xdc");
+}
+
+/// A file with a header that promises so many pixels and little else.
 std::string Huge(ImageFormat format) {
   switch (format) {
+    case ImageFormat::kJpeg:
+      return HugeJpeg();
     case ImageFormat::kPng:
       return PngOf(PngHeader(100000, 100000, 8, 2), "");
     case ImageFormat::kPfm:
@@ -98,13 +114,15 @@ class BadPicture : public testing::TestWithParam<FormatRow> {
 
 INSTANTIATE_TEST_SUITE_P(Formats, BadPicture,
                          testing::Values(FormatRow{"png", ImageFormat::kPng},
+                                         FormatRow{"jpg", ImageFormat::kJpeg},
                                          FormatRow{"exr", ImageFormat::kExr},
                                          FormatRow{"hdr", ImageFormat::kHdr},
                                          FormatRow{"pfm", ImageFormat::kPfm}),
                          [](const auto& row) { return std::string(row.param.extension); });
 
-TEST_P(BadPicture, OfAHundredThousandPixelsOnEachSideIsRefusedBeforeMemoryIsTaken) {
-  ExpectRefused(Huge(GetParam().format), "100000 x 100000");
+TEST_P(BadPicture, ThatIsFarTooLargeIsRefusedBeforeMemoryIsTaken) {
+  const int side = HugeSide(GetParam().format);
+  ExpectRefused(Huge(GetParam().format), fmt::format("a picture of {0} x {0} pixels", side));
 }
 
 TEST_P(BadPicture, CutAnywhereIsRefused) {
@@ -125,8 +143,8 @@ TEST_P(BadPicture, CutAnywhereIsRefused) {
 }
 
 TEST_P(BadPicture, ThatIsEmptyOrATextIsRefused) {
-  ExpectRefused("", "this is not a PNG, EXR, HDR or PFM");
-  ExpectRefused("no picture", "this is not a PNG, EXR, HDR or PFM");
+  ExpectRefused("", "this is not a PNG, JPEG, EXR, HDR or PFM");
+  ExpectRefused("no picture", "this is not a PNG, JPEG, EXR, HDR or PFM");
 }
 
 // Every lookup falls beyond an edge, on all sides.

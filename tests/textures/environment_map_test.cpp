@@ -136,7 +136,7 @@ TEST_F(EnvironmentFile, ThatIsMissingIsReportedWhereItIsAskedFor) {
 
 TEST_F(EnvironmentFile, ThatIsNoPictureIsNamed) {
   EXPECT_THAT(LinesAbout("text.exr", "hello"),
-              ElementsAre(HasSubstr("text.exr: error: this is not a PNG, EXR, HDR or PFM")));
+              ElementsAre(HasSubstr("text.exr: error: this is not a PNG, JPEG, EXR, HDR or PFM")));
 }
 
 TEST_F(EnvironmentFile, ThatIsCutShortIsNamed) {

@@ -239,8 +239,9 @@ TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
                    "--tonemap is for .png and .jpg files; the others hold the light itself");
   ExpectUsageError({"-o", "o.hdr", "--exposure", "1"},
                    "--exposure is for .png and .jpg files; the others hold the light itself");
-  ExpectUsageError({"-o", "o.jpg", "--size", "65501", "2"},
-                   "'o.jpg': a side of a JPEG picture has at most 65500 pixels");
+  ExpectRefusal(
+      Candela({"render", "scene.txt", "-o", "o.jpg", "--size", "65501", "2"}), 2,
+      "candela render: error: 'o.jpg': a side of a JPEG picture has at most 65500 pixels");
   ExpectUsageError({"-o", "o.png", "--jitter", "--samples", "4"},
                    "--jitter and --samples: give one of them");
   ExpectUsageError({"-o", "o.png", "--jitter", "--filter", "box"},

@@ -107,6 +107,13 @@ void Film::SetOnlySample(int x, int y, Rgb radiance) {
   colour[2] = developed(radiance.z);
 }
 
+void Film::AddToColour(int x, int y, Rgb radiance) {
+  float* colour = &colours_[3 * IndexOf(x, y)];
+  colour[0] += radiance.x;
+  colour[1] += radiance.y;
+  colour[2] += radiance.z;
+}
+
 Rgb Film::Pixel(int x, int y) const {
   const float* colour = &colours_[3 * IndexOf(x, y)];
   return {colour[0], colour[1], colour[2]};

@@ -57,7 +57,8 @@ std::vector<std::string_view> ToneCurveNames() {
 
 /// "none: cuts off ...; srgb: ..." for the help.
 std::string ToneCurveSummaries() {
-  std::string summaries = "how .png files show the light (default none, with path srgb)";
+  std::string summaries =
+      "how .png files show the light (default none, with path and light_trace srgb)";
   for (const ToneCurve& curve : ToneCurves()) {
     summaries += fmt::format("; {}: {}", curve.name, curve.description);
   }
@@ -106,6 +107,8 @@ class RenderCommand {
   Result<void> FinishIsa();
   Result<void> FinishTone();
   PixelGrid ChooseGrid() const;
+  /// Whether the picture is one of light transport, which has defaults of its own.
+  bool IsPhysical() const { return FindIntegrator(request_.integrator)->is_physical; }
 
   RenderRequest request_;
   ArgParser parser_;
@@ -139,25 +142,28 @@ void RenderCommand::AddOptions() {
                   Whole("Y1", &crop_.y1, 1)},
                  "render only the columns from X0 and the rows from Y0 up to, not including, X1 "
                  "and Y1, counted from the top left corner");
-  parser_.Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
-                 "whether the positions of the outermost pixels lie on the edge of the view, as in "
-                 "the course, or half a pixel inside (default corners, with path centres)");
+  parser_.Option(
+      "pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
+      "whether the positions of the outermost pixels lie on the edge of the view, as in "
+      "the course, or half a pixel inside (default corners, with path and light_trace centres)");
 
   parser_.Group("Light");
   parser_.Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
                  IntegratorSummaries());
-  common_.AddLight(&parser_, "0, with path as many as it takes");
+  common_.AddLight(&parser_, "0, with path and light_trace as many as it takes");
   IntegratorOptions& light = request_.integrator_options;
-  parser_.Option("diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
-                 "with path: of the bounces, those by surfaces that scatter (default all)");
+  parser_.Option(
+      "diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
+      "with path and light_trace: of the bounces, those by surfaces that scatter (default all)");
   parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
-                 "with path: those by mirrors (default all)");
+                 "with path and light_trace: those by mirrors (default all)");
   parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
-                 "with path: those through surfaces (default all)");
+                 "with path and light_trace: those through surfaces (default all)");
 
   parser_.Group("Samples");
   parser_.Option("samples", {Whole("N", &samples_, 1)},
-                 fmt::format("samples of each pixel (default 1, with --filter {}, with path {})",
+                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
+                             "light_trace {})",
                              kFilteredSamples, kPathSamples));
   parser_.Option(
       "filter", {Choice("NAME", &filter_, FilterNames())},
@@ -199,9 +205,7 @@ Result<void> RenderCommand::FinishSamples() {
     render.samples = kStrataSamples;
     return {};
   }
-  const uint32_t usual = request_.integrator == "path" ? kPathSamples
-                         : filter_                     ? kFilteredSamples
-                                                       : 1;
+  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
   render.samples = samples_.value_or(usual);
   render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
   render.filter = filter_.value_or("box");
@@ -254,7 +258,7 @@ Result<void> RenderCommand::FinishTone() {
           fmt::format("--{} is for .png files; the others hold the light itself", name));
     }
   }
-  const std::string usual = request_.integrator == "path" ? "srgb" : "none";
+  const std::string usual = IsPhysical() ? "srgb" : "none";
   const std::string curve = tonemap_.value_or(usual);
   ToneMapping& tone = request_.output_options.tone;
   // Without both the course's quantisation stays as it is.
@@ -264,7 +268,7 @@ Result<void> RenderCommand::FinishTone() {
 }
 
 PixelGrid RenderCommand::ChooseGrid() const {
-  const std::string_view usual = request_.integrator == "path" ? "centres" : "corners";
+  const std::string_view usual = IsPhysical() ? "centres" : "corners";
   return grid_.value_or(std::string(usual)) == "centres" ? PixelGrid::kCentres
                                                          : PixelGrid::kCorners;
 }

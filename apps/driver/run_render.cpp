@@ -44,10 +44,10 @@ class RenderRun {
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
-    if (auto fits = CheckMemory(); !fits) return fits;
     auto integrator =
         CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
+    if (auto fits = CheckMemory(**integrator); !fits) return fits;
     if (request_.explain) return Explain(**integrator);
     WarnOfUnseenLights();
     if (request_.output) {
@@ -109,8 +109,9 @@ class RenderRun {
     }
   }
 
-  Result<void> CheckMemory() const {
-    const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth);
+  Result<void> CheckMemory(const Integrator& integrator) const {
+    const uint64_t need =
+        EstimateMemory(request_.render, integrator, request_.normals || request_.depth);
     const uint64_t available = AvailableMemory();
     if (need <= available) return {};
     const double gibibyte = 1 << 30;
@@ -145,7 +146,7 @@ class RenderRun {
     });
     if (!done) return done;
     statistics_.rays += job.Rays();
-    statistics_.dropped_samples = job.film().DroppedSamples();
+    statistics_.dropped_samples = job.DroppedSamples();
     if (statistics_.dropped_samples > 0) {
       PrintWarning(request_.program, fmt::format("{} samples were not finite and are left out",
                                                  statistics_.dropped_samples));

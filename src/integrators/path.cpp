@@ -1,20 +1,18 @@
 #include "integrators/path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "geometry/spawn_ray.h"
 #include "integrators/path_queue.h"
+#include "integrators/path_vertex.h"
+#include "integrators/physical_scene.h"
 #include "integrators/registry.h"
-#include "math/elementary.h"
 #include "sampling/sampler.h"
 
 namespace candela {
 namespace {
 
-constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 // Bounces that every path may take, and by how much its survival exceeds its share of the power:
 // measured over the scenes of bench/render, where earlier ends cost more in noise than they save.
 constexpr uint32_t kRouletteAfter = 2;
@@ -24,27 +22,6 @@ constexpr uint32_t kUncertainAfter = 4;
 
 // What the dimensions of a bounce are used for.
 enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
-
-/// What a surface does with a path; each has a limit of its own.
-enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
-
-BounceKind KindOf(bool is_delta, bool is_transmission) {
-  if (is_transmission) return kTransmission;
-  return is_delta ? kMirror : kDiffuse;
-}
-
-/// Whether light that goes through stays on one side of the true surface, or light that is
-/// reflected goes through it. Where a shading normal says otherwise, light would leak.
-bool IsOnWrongSide(const SurfacePoint& point, Vec3 wo, Vec3 wi, bool is_transmission) {
-  const bool is_one_side = Dot(point.n_geometric, wo) * Dot(point.n_geometric, wi) > 0;
-  return is_one_side == is_transmission;
-}
-
-/// The part of the light that a way through a medium leaves: Beer's law.
-Spectrum Transmittance(Rgb absorption, float distance) {
-  return Spectrum(Rgb{Exp(-absorption.x * distance), Exp(-absorption.y * distance),
-                      Exp(-absorption.z * distance)});
-}
 
 /// Lights of a scene, as the path integrator numbers them.
 std::vector<const Light*> LightsOf(const Scene& scene, const EnvironmentLight* environment) {
@@ -105,19 +82,6 @@ struct PathIntegrator::Path {
   Vec3 p;  ///< The point of that surface.
 };
 
-/// A surface that a path has met.
-struct PathIntegrator::Vertex {
-  SurfacePoint point;
-  Vec3 wo;
-  Bsdf bsdf;
-  const Material* material;
-
-  /// The medium beyond the surface, seen from where the path comes from.
-  Rgb AbsorptionBeyond() const {
-    return Dot(point.n_shading, bsdf.frame.z) > 0 ? material->Absorption() : Rgb();
-  }
-};
-
 /// What is known of samples that are followed together.
 struct PathIntegrator::Batch final : Workspace {
   /// What comes from a sampled light if nothing is in the way.
@@ -152,16 +116,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
-  for (size_t i = 0; i < scene.materials().size(); ++i) {
-    if (!scene.materials()[i]->IsPhysical()) {
-      return Error{
-          ErrorCode::kInput,
-          fmt::format(
-              "material {} has a Phong highlight, or reflects more light than it gets, which "
-              "the integrator 'path' does not know; 'whitted' does",
-              i)};
-    }
-  }
+  if (const auto checked = CheckPhysical(scene, "path"); !checked) return checked.error();
   return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));
 }
 
@@ -219,7 +174,7 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
       continue;
     }
     if (path.absorption != Rgb()) path.throughput *= Transmittance(path.absorption, hit.t);
-    Vertex vertex;
+    PathVertex vertex;
     vertex.point = scene_.SurfaceAt(ray, hit);
     vertex.wo = -Normalize(ray.direction);
     if (const uint32_t lamp = scene_.objects()[hit.object].light; lamp != SceneObject::kNoLight) {
@@ -227,11 +182,10 @@ void PathIntegrator::Shade(uint32_t bounce, Batch* batch, std::span<Spectrum> ra
     }
     if (bounce == bounces_) continue;
 
-    const Vec3 n = vertex.point.n_shading;
-    vertex.bsdf.frame = Frame::FromNormal(Dot(n, vertex.wo) < 0 ? -n : n);
     vertex.material = &scene_.material(hit);
-    vertex.material->Evaluate(vertex.point, &vertex.bsdf);
-    if (picker_.HasLights() && vertex.bsdf.HasSmoothPart()) {
+    vertex.Evaluate();
+    const bool is_left_out = techniques_.beyond_light_paths && bounce == 0;
+    if (picker_.HasLights() && vertex.bsdf.HasSmoothPart() && !is_left_out) {
       SampleLight(path, bounce, vertex, batch);
     }
     Ray next;
@@ -284,9 +238,9 @@ float PathIntegrator::Weight(float pdf, float other_pdf) const {
   return 1 / (1 + (is_power ? ratio * ratio : ratio));
 }
 
-void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const Vertex& vertex,
+void PathIntegrator::SampleLight(const Path& path, uint32_t bounce, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material] = vertex;
+  const auto& [point, wo, material, bsdf] = vertex;
   const uint32_t dimension = BounceDimension(bounce);
   const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
   const auto [index, choice] = picker_.Choose(point.p, u);
@@ -329,11 +283,13 @@ void PathIntegrator::AddSampledLight(Batch* batch, std::span<Spectrum> radiance)
   }
 }
 
-bool PathIntegrator::Scatter(uint32_t bounce, const Vertex& vertex, Path* path, Ray* ray) const {
+bool PathIntegrator::Scatter(uint32_t bounce, const PathVertex& vertex, Path* path,
+                             Ray* ray) const {
   const uint32_t dimension = BounceDimension(bounce);
   const BsdfSample next =
       Sample(vertex.bsdf, vertex.wo, path->sampler.Get2D(dimension + kDirection));
   if (next.pdf == 0) return false;
+  if (techniques_.beyond_light_paths && bounce == 0 && !next.is_delta) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
   if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
   if (IsOnWrongSide(vertex.point, vertex.wo, next.wi, next.is_transmission)) return false;

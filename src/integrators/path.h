@@ -15,6 +15,7 @@
 namespace candela {
 
 struct IntegratorOptions;
+struct PathVertex;
 
 /// How `PathIntegrator` looks for light. All ways have the same mean: they are there for tests and
 /// comparisons.
@@ -24,6 +25,9 @@ struct PathTechniques {
 
   bool next_event = true;  ///< Lights that rays can find are sampled as well.
   bool roulette = true;    ///< Long paths may end early.
+  /// Only what light paths cannot bring to the camera: lights that it sees directly, and what the
+  /// surface that it sees sends on in a single direction. This changes the mean.
+  bool beyond_light_paths = false;
   Weights weights = Weights::kPowerHeuristic;
   LightChoice light_choice = LightChoice::kByEffect;
 };
@@ -48,7 +52,6 @@ class PathIntegrator final : public Integrator {
  private:
   struct Path;
   struct Batch;
-  struct Vertex;
 
   void Follow(std::span<const SampleRequest> samples, Batch* batch,
               std::span<Spectrum> radiance) const;
@@ -61,9 +64,9 @@ class PathIntegrator final : public Integrator {
   Spectrum FromSky(const Path& path, Vec3 direction) const;
   Spectrum FromSurface(const Path& path, const SurfacePoint& point, Vec3 wo, uint32_t light) const;
   float WeightOfFound(const Path& path, uint32_t light, const SurfacePoint& point, Vec3 w) const;
-  void SampleLight(const Path& path, uint32_t bounce, const Vertex& vertex, Batch* batch) const;
+  void SampleLight(const Path& path, uint32_t bounce, const PathVertex& vertex, Batch* batch) const;
   /// False when the path ends.
-  bool Scatter(uint32_t bounce, const Vertex& vertex, Path* path, Ray* ray) const;
+  bool Scatter(uint32_t bounce, const PathVertex& vertex, Path* path, Ray* ray) const;
   float Weight(float pdf, float other_pdf) const;
 
   const Scene& scene_;

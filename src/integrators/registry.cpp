@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "base/text.h"
+#include "integrators/light_trace.h"
 #include "integrators/path.h"
 #include "integrators/whitted.h"
 
@@ -15,6 +18,8 @@ constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false},
     {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
      true},
+    {"light_trace", "the same light, followed from the lights to the camera",
+     &LightTraceIntegrator::Create, true},
 };
 
 }  // namespace
@@ -23,13 +28,18 @@ std::span<const IntegratorEntry> IntegratorEntries() {
   return kIntegrators;
 }
 
+const IntegratorEntry* FindIntegrator(std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(kIntegrators), std::end(kIntegrators),
+                   [&](const IntegratorEntry& entry) { return entry.name == name; });
+  return found == std::end(kIntegrators) ? nullptr : found;
+}
+
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
                                                      const IntegratorOptions& options) {
+  if (const IntegratorEntry* entry = FindIntegrator(name)) return entry->create(scene, options);
   std::vector<std::string_view> names;
-  for (const IntegratorEntry& entry : kIntegrators) {
-    if (entry.name == name) return entry.create(scene, options);
-    names.push_back(entry.name);
-  }
+  for (const IntegratorEntry& entry : kIntegrators) names.push_back(entry.name);
   return Error{ErrorCode::kUsage, fmt::format("there is no integrator {}{}; known: {}", Quote(name),
                                               DidYouMean(name, names), ListOf(names))};
 }

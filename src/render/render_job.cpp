@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
-#include <vector>
 
 #include "base/parallel.h"
 #include "render/pixel_order.h"
 #include "render/row_feed.h"
 #include "render/sample_placer.h"
+#include "render/splat_placer.h"
 #include "render/tiles.h"
 
 namespace candela {
@@ -44,6 +43,16 @@ class RenderJob::Worker {
     if (is_cancelled) return;
     TraceBatch();
     if (!has_one_sample_) job_.film_.EndTile(tile_);
+    if (job_.splats_) AddSplats(window);
+  }
+
+  /// Those numbered from `first` on.
+  void TraceLightPaths(uint64_t first, uint64_t count, const SplatPlacer& placer) {
+    const uint64_t rays_before = workspace_->rays.Total();
+    splats_.clear();
+    job_.integrator_.TraceLightPaths(first, count, workspace_.get(), &splats_);
+    for (const Splat& splat : splats_) placer.Add(splat, &*job_.splats_);
+    CountDone(count, rays_before);
   }
 
   const RayCounts& Rays() const { return workspace_->rays; }
@@ -64,10 +73,22 @@ class RenderJob::Worker {
         tile_.Add(x, y, radiance_[i].ToRgb(), weights_[i]);
       }
     }
-    job_.samples_done_.fetch_add(requests_.size(), std::memory_order_relaxed);
-    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
+    CountDone(requests_.size(), rays_before);
     requests_.clear();
     weights_.clear();
+  }
+
+  void AddSplats(const PixelWindow& window) {
+    const uint64_t paths = job_.LightPaths();
+    ForEachPixel(window, [&](int x, int y) {
+      job_.film_.AddToColour(x, y, job_.splats_->Mean(x, y, paths));
+      return true;
+    });
+  }
+
+  void CountDone(uint64_t samples, uint64_t rays_before) {
+    job_.samples_done_.fetch_add(samples, std::memory_order_relaxed);
+    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
   }
 
   RenderJob& job_;
@@ -80,21 +101,48 @@ class RenderJob::Worker {
   std::vector<SampleRequest> requests_;
   std::vector<float> weights_;
   std::vector<Spectrum> radiance_;
+  std::vector<Splat> splats_;
 };
 
 RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options)
-    : integrator_(integrator), options_(options), film_(options.crop, Film::Keep::kColours) {}
+    : integrator_(integrator), options_(options), film_(options.crop, Film::Keep::kColours) {
+  if (integrator.TracesLightPaths()) splats_.emplace(options.crop);
+}
+
+uint64_t RenderJob::LightPaths() const {
+  if (!splats_) return 0;
+  return PixelCount({0, 0, options_.width, options_.height}) * options_.samples;
+}
 
 uint64_t RenderJob::SamplesTotal() const {
-  return PixelCount(options_.crop) * options_.samples;
+  return PixelCount(options_.crop) * options_.samples + LightPaths();
+}
+
+uint64_t RenderJob::DroppedSamples() const {
+  return film_.DroppedSamples() + (splats_ ? splats_->DroppedSplats() : 0);
+}
+
+void RenderJob::TraceLightPaths(const Workers& workers, const CancelToken& cancel) {
+  constexpr uint64_t kTogether = 4096;
+  const SplatPlacer placer(options_);
+  const uint64_t paths = LightPaths();
+  const auto parts = static_cast<int64_t>((paths + kTogether - 1) / kTogether);
+  ParallelForWorkers(parts, [&](int64_t part, int worker) {
+    if (cancel.IsCancelled()) return;
+    const uint64_t first = static_cast<uint64_t>(part) * kTogether;
+    workers[static_cast<size_t>(worker)]->TraceLightPaths(first, std::min(kTogether, paths - first),
+                                                          placer);
+  });
 }
 
 Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder) {
   const SamplePlacer placer(options_);
   const Tiles tiles(options_.crop, options_.tile_size);
   RowFeed feed(tiles, encoder);
-  std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(ThreadCount()));
+  Workers workers(static_cast<size_t>(ThreadCount()));
   for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
+  // All of them come first: a pixel is done when its tile is.
+  TraceLightPaths(workers, cancel);
   ParallelForWorkers(tiles.Count(), [&](int64_t tile, int worker) {
     if (cancel.IsCancelled()) return;
     workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile));
@@ -105,10 +153,12 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder) {
   return {};
 }
 
-uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits) {
+uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrator,
+                        bool with_first_hits) {
   // Per pixel: the film's and the encoder's floats, the quantised samples, the encoded file in the
   // worst case, and some room for what the libraries add.
-  const uint64_t per_pixel = 12 + 12 + 6 + 8 + 8 + (with_first_hits ? 20 : 0);
+  const uint64_t per_pixel =
+      12 + 12 + 6 + 8 + 8 + (with_first_hits ? 20 : 0) + (integrator.TracesLightPaths() ? 48 : 0);
   const uint64_t pixels = PixelCount(options.crop);
   const uint64_t most = std::numeric_limits<uint64_t>::max();
   return pixels > most / per_pixel ? most : pixels * per_pixel;

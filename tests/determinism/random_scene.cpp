@@ -142,7 +142,7 @@ std::string RandomScene(uint32_t seed) {
   return writer.TakeText();
 }
 
-std::string RandomDiffuseScene(uint32_t seed) {
+std::string RandomDiffuseScene(uint32_t seed, Floor floor) {
   Writer writer(seed);
   // Every kind of light and of surface that the path integrator knows, some in each scene.
   if (seed % 3 == 0) {
@@ -162,7 +162,13 @@ std::string RandomDiffuseScene(uint32_t seed) {
       "Material {{ type mirror }}\nMaterial {{ type conductor metal gold roughness 0.3 }}\n");
   writer.Add("Material {{ type dielectric ior 1.5 roughness {} }}\n", seed % 4 == 0 ? 0 : 0.4);
   writer.Add("}}\nScene {{\n");
-  AddFloor(&writer);
+  if (floor == Floor::kEndless) {
+    AddFloor(&writer);
+  } else {
+    writer.Add(
+        "Node {{ Transform {{ translate 0 -2.5 0 x_rotate -85 }} Component<Material> {{ index 1 }} "
+        "Component<Object> {{ type rectangle width 14 height 14 }} }}\n");
+  }
   for (int i = 0; i < 4; ++i) AddNodes(&writer, kMaterials);
   AddDirectionalLight(&writer, seed % 2 == 0 ? "angle 3" : "");
   AddFlatLamps(&writer);

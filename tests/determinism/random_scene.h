@@ -10,7 +10,9 @@ namespace candela::determinism {
 /// same text for the same seed, everywhere.
 std::string RandomScene(uint32_t seed);
 
-/// One that the path integrator takes: diffuse surfaces, a sphere that shines, a grey sky.
-std::string RandomDiffuseScene(uint32_t seed);
+/// One that the path integrator takes: diffuse surfaces, a sphere that shines, a grey sky. The
+/// floor is a plane, or a rectangle for integrators that follow light from the sky.
+enum class Floor { kEndless, kBounded };
+std::string RandomDiffuseScene(uint32_t seed, Floor floor);
 
 }  // namespace candela::determinism

@@ -28,6 +28,9 @@ constexpr size_t kBlocks = kBlocksPerSide * kBlocksPerSide;
 #ifdef CANDELA_SLOW
 constexpr double kStrength = 1.1e-3;
 constexpr uint32_t kSamples = 320;
+#elif defined(CANDELA_SANITIZED)
+constexpr double kStrength = 3e-2;  // All is slower there.
+constexpr uint32_t kSamples = 2;
 #else
 constexpr double kStrength = 4.5e-3;
 constexpr uint32_t kSamples = 20;

@@ -73,9 +73,9 @@ TEST(LightTraceCreate, RefusesBodiesThatMayOverlapWithTheSamePriority) {
   const char* more =
       "Component<Material> { name glass } Component<Interior> { medium tea priority 1 }";
   EXPECT_THAT(MessageFor(scene(glass, tea, "1 1 1")),
-              HasSubstr("the sphere and the sphere at scene:6:8 may overlap and have the same "
+              HasSubstr("the sphere and the sphere at scene:6:33 may overlap and have the same "
                         "priority"));
-  EXPECT_THAT(MessageFor(scene(glass, tea, "1 1 1")), testing::StartsWith("scene:7:38: "));
+  EXPECT_THAT(MessageFor(scene(glass, tea, "1 1 1")), testing::StartsWith("scene:7:63: "));
   EXPECT_NE(MessageFor(scene(tea, glass, "1 1 1")), "");
   EXPECT_NE(MessageFor(scene(amber, glass, "1 1 1")), "");
   EXPECT_EQ(MessageFor(scene(glass, tea, "0 0 2.5")), "");

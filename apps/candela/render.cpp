@@ -288,6 +288,10 @@ Result<void> RenderCommand::CheckAbilities() const {
     return UsageError(
         fmt::format("--checkpoint: what '{}' has done cannot be kept", integrator.name));
   }
+  if (request_.render.clamp && integrator.has_light_paths) {
+    return UsageError(fmt::format("--clamp: what light paths of '{}' bring has no samples to clamp",
+                                  integrator.name));
+  }
   return {};
 }
 

@@ -17,6 +17,11 @@ void PrintRenderNotes(const std::string& program, const RenderJob& job) {
   if (dropped.Count() > dropped.First().size()) {
     PrintWarning(program, fmt::format("{} samples were left out in all", dropped.Count()));
   }
+  if (job.DroppedSplats() > 0) {
+    PrintWarning(program, fmt::format("{} times the light that a light path brings to a pixel was "
+                                      "not finite and is left out",
+                                      job.DroppedSplats()));
+  }
   if (job.Rays().crowded > 0) {
     PrintWarning(program,
                  "in some places light is in more than four bodies that overlap; the others are "

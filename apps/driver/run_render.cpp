@@ -53,10 +53,10 @@ class RenderRun {
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
-    if (auto fits = CheckMemory(); !fits) return fits;
     auto integrator =
         CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
+    if (auto fits = CheckMemory(**integrator); !fits) return fits;
     if (request_.explain) return Explain(**integrator);
     WarnOfUnseenLights();
     if (request_.output) {
@@ -129,9 +129,10 @@ class RenderRun {
     }
   }
 
-  Result<void> CheckMemory() const {
-    const uint64_t need = EstimateMemory(request_.render, request_.normals || request_.depth,
-                                         request_.checkpoint.has_value());
+  Result<void> CheckMemory(const Integrator& integrator) const {
+    const uint64_t need =
+        EstimateMemory(request_.render, integrator, request_.normals || request_.depth,
+                       request_.checkpoint.has_value());
     const uint64_t available = AvailableMemory();
     if (need <= available) return {};
     const double gibibyte = 1 << 30;
@@ -172,7 +173,7 @@ class RenderRun {
     auto done = Timed(&statistics_.seconds.render, [&] { return RunJob(hash, &job, &encoder); });
     if (!done) return done;
     statistics_.rays += job.Rays();
-    statistics_.dropped_samples = job.film().DroppedSamples();
+    statistics_.dropped_samples = job.film().DroppedSamples() + job.DroppedSplats();
     PrintRenderNotes(request_.program, job);
     return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
   }

@@ -30,12 +30,22 @@ class ImagePlane {
   /// The distance between neighbouring pixels in a column.
   float Spacing() const { return 2 / y_.pixels * y_.scale; }
 
+  /// The inverse: the position in the picture of an image point, where pixel centres have whole
+  /// numbers and y is counted downwards from that of the top row. It may lie outside.
+  Vec2 PositionOf(Vec2 image_point) const {
+    return {x_.Invert(image_point.x), static_cast<float>(height_ - 1) - y_.Invert(image_point.y)};
+  }
+
+  /// How many pixels there are to a unit of area of the image plane.
+  float PixelsPerArea() const { return x_.pixels / (2 * x_.scale) * (y_.pixels / (2 * y_.scale)); }
+
  private:
   struct Axis {
     float pixels;  ///< Between -1 and 1.
     float first;   ///< The position of the first pixel's centre, counted from -1, in pixels.
     float scale;   ///< From [-1, 1] to the image plane.
     float Map(float pixel) const { return (2 * (pixel + first) / pixels - 1) * scale; }
+    float Invert(float point) const { return (point / scale + 1) * pixels / 2 - first; }
   };
   static Axis MakeAxis(int size, PixelGrid grid);
 

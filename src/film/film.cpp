@@ -143,6 +143,13 @@ bool Film::SetOnlySample(int x, int y, Rgb radiance) {
   return true;
 }
 
+void Film::AddToColour(int x, int y, Rgb radiance) {
+  float* colour = &colours_[3 * IndexOf(x, y)];
+  colour[0] += radiance.x;
+  colour[1] += radiance.y;
+  colour[2] += radiance.z;
+}
+
 Rgb Film::Pixel(int x, int y) const {
   const float* colour = &colours_[3 * IndexOf(x, y)];
   return {colour[0], colour[1], colour[2]};

@@ -131,6 +131,10 @@ class Film {
   /// False when the sample was dropped.
   bool SetOnlySample(int x, int y, Rgb radiance);
 
+  /// Adds to the developed colour of a pixel, whose tile has ended or whose sample is set;
+  /// different pixels may be added to at the same time.
+  void AddToColour(int x, int y, Rgb radiance);
+
   /// The colour of a pixel of the whole picture; black before its tile has ended.
   Rgb Pixel(int x, int y) const;
 

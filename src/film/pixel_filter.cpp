@@ -104,6 +104,19 @@ PixelFilter::AxisSample PixelFilter::SampleAxis(float u) const {
   return {(static_cast<double>(cell) + t) * step_ - radius_, sign_[cell] * weight_};
 }
 
+double PixelFilter::AxisAt(float offset) const {
+  const double cells = (double{offset} + radius_) / step_;
+  if (!(cells >= 0 && cells < kCells)) return 0;
+  const auto cell = static_cast<size_t>(cells);
+  const double t = cells - static_cast<double>(cell);
+  const double height = magnitude_[cell] * (1 - t) + magnitude_[cell + 1] * t;
+  return sign_[cell] * weight_ * height / step_;
+}
+
+float PixelFilter::At(Vec2 offset) const {
+  return static_cast<float>(AxisAt(offset.x) * AxisAt(offset.y));
+}
+
 FilterSample PixelFilter::Sample(Vec2 u) const {
   const AxisSample x = SampleAxis(u.x);
   const AxisSample y = SampleAxis(u.y);

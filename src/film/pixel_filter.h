@@ -46,11 +46,16 @@ class PixelFilter {
   /// `u` in [0, 1)^2; evenly spread pairs give evenly spread positions.
   FilterSample Sample(Vec2 u) const;
 
+  /// Its value at `offset`, with an integral of 1: the density of positions times their weight.
+  float At(Vec2 offset) const;
+  float Radius() const { return static_cast<float>(radius_); }
+
  private:
   struct AxisSample {
     double offset, weight;
   };
   AxisSample SampleAxis(float u) const;
+  double AxisAt(float offset) const;
 
   // The magnitude of the profile over [-radius, radius] as a polyline between equidistant nodes,
   // its integral up to each node, and the sign between two nodes. The integral ends at 1.

@@ -73,6 +73,13 @@ struct SampleOutput {
   }
 };
 
+/// Light that a light path brings to the camera. The mean of the radiance over many light paths is
+/// a density over the image plane.
+struct Splat {
+  Vec2 image_point;
+  Spectrum radiance;  ///< Per unit of area of the image plane.
+};
+
 /// What a thread needs for itself while it traces.
 struct Workspace {
   virtual ~Workspace() = default;
@@ -93,6 +100,16 @@ class Integrator {
   /// after the other.
   virtual void Trace(std::span<const SampleRequest> samples, Workspace* workspace,
                      const SampleOutput& output) const = 0;
+
+  /// Whether some of the light is not in what `Trace` gives, but comes to the camera by light
+  /// paths.
+  virtual bool TracesLightPaths() const { return false; }
+
+  /// Follows `count` light paths from lights to the camera, which are numbered from `first` on, and
+  /// appends what they bring. A path depends on its number alone. Any number of them has the same
+  /// mean: what `Trace` leaves out, anywhere in the image plane.
+  virtual void TraceLightPaths(uint64_t /*first*/, uint64_t /*count*/, Workspace*,
+                               std::vector<Splat>* /*splats*/) const {}
 
   /// The rays of one sample and what came of them, in words, one line each; empty for an integrator
   /// that cannot tell.

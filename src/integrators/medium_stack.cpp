@@ -16,7 +16,7 @@ struct Crossing {
 };
 
 /// The first surface of each body on the way, in their order.
-std::vector<Crossing> FirstCrossings(const Scene& scene, Vec3 from, Vec3 direction) {
+std::vector<Crossing> FirstCrossings(const Scene& scene, Vec3 from, Vec3 direction, Bodies bodies) {
   constexpr int kFarEnough = 100000;  // Surfaces: a line through a fractal has an end, too.
   std::vector<Crossing> crossings;
   std::set<uint32_t> met;
@@ -26,9 +26,9 @@ std::vector<Crossing> FirstCrossings(const Scene& scene, Vec3 from, Vec3 directi
     if (!scene.Intersect(ray, &hit)) break;
     const SurfacePoint point = scene.SurfaceAt(ray, hit);
     const uint32_t interior = scene.objects()[hit.object].interior;
-    const bool is_filled =
-        interior != SceneObject::kNoInterior && scene.interiors()[interior].is_explicit;
-    if (is_filled && met.insert(interior).second) {
+    const bool counts = interior != SceneObject::kNoInterior &&
+                        (bodies == Bodies::kAll || scene.interiors()[interior].is_explicit);
+    if (counts && met.insert(interior).second) {
       crossings.push_back({interior, Dot(point.OutwardNormal(), direction) > 0});
     }
     ray = SpawnRay(point, direction);
@@ -71,13 +71,13 @@ bool MediumStack::Contains(uint32_t interior) const {
          entered_.begin() + count_;
 }
 
-MediumStack MediaAround(const Scene& scene, Vec3 p) {
+MediumStack MediaAround(const Scene& scene, Vec3 p, Bodies bodies) {
   MediumStack media;
   if (scene.interiors().empty()) return media;
   // Any direction does that is not along the usual walls.
   const Vec3 direction = Normalize(Vec3{0.36f, 0.51f, 0.78f});
-  const auto ahead = FirstCrossings(scene, p, direction);
-  const auto behind = FirstCrossings(scene, p, -direction);
+  const auto ahead = FirstCrossings(scene, p, direction, bodies);
+  const auto behind = FirstCrossings(scene, p, -direction, bodies);
   const auto is_entered = [](const std::vector<Crossing>& crossings, uint32_t interior) {
     for (const Crossing& each : crossings) {
       if (each.interior == interior) return !each.is_exit;

@@ -1,7 +1,5 @@
 #include "integrators/path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,8 @@
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
 #include "integrators/path_queue.h"
+#include "integrators/path_vertex.h"
+#include "integrators/physical_scene.h"
 #include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "sampling/sampler.h"
@@ -17,44 +17,12 @@
 namespace candela {
 namespace {
 
-constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
 // Bounces that every path may take, and by how much its survival exceeds its share of the power:
 // measured over the scenes of bench/render, where earlier ends cost more in noise than they save.
 constexpr uint32_t kRouletteAfter = 2;
 constexpr float kSurvivalOfShare = 2;
 // From this bounce on no path is sure to survive, so that even those without any loss end.
 constexpr uint32_t kUncertainAfter = 4;
-
-/// Whether light that goes through stays on one side of the true surface, or light that is
-/// reflected goes through it. Where a shading normal says otherwise, light would leak.
-bool IsOnWrongSide(const PathVertex& vertex, Vec3 wi, bool is_transmission) {
-  const Vec3 n = vertex.point.n_geometric;
-  const bool is_one_side = Dot(n, vertex.wo) * Dot(n, wi) > 0;
-  // A lifted point is high enough for its own triangle to be in the way of what would leak.
-  if (vertex.is_lifted && !is_transmission) return false;
-  return is_one_side == is_transmission;
-}
-
-/// The shading normal on the side of the true surface that the direction is on, bent towards the
-/// direction where it looks away from it: on round objects of few triangles, near their outline.
-Vec3 NormalTowards(const SurfacePoint& point, Vec3 w) {
-  constexpr float kLeastCosine = 1e-3f;
-  const bool is_outside = Dot(point.OutwardNormal(), w) >= 0;
-  const Vec3 n = is_outside ? point.n_shading : -point.n_shading;
-  const float cosine = Dot(n, w);
-  return cosine > 0 ? n : Normalize(n + w * (kLeastCosine - cosine));
-}
-
-Ray LeavingRay(const PathVertex& vertex, Vec3 w) {
-  return SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
-}
-
-/// The ray that goes on as if the surface were not there.
-Ray PassOn(const PathVertex& vertex) {
-  Ray ray = SpawnRay(vertex.point, -vertex.wo);
-  ray.mask = kReflectionRay;
-  return ray;
-}
 
 }  // namespace
 
@@ -76,7 +44,8 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                                const PathTechniques& techniques)
     : scene_(scene),
       lights_(scene, techniques),
-      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
+      media_at_camera_(
+          MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin, Bodies::kFilled)),
       bounces_(options.bounces.value_or(kUnlimited)),
       bounces_of_kind_{options.diffuse_bounces.value_or(kUnlimited),
                        options.mirror_bounces.value_or(kUnlimited),
@@ -84,20 +53,12 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
       seed_(options.seed),
       sampler_(options.sampler),
       has_roulette_(techniques.roulette),
-      has_lift_(techniques.lift) {}
+      has_lift_(techniques.lift),
+      beyond_light_paths_(techniques.beyond_light_paths) {}
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
-  for (size_t i = 0; i < scene.materials().size(); ++i) {
-    if (!scene.materials()[i]->IsPhysical()) {
-      return Error{
-          ErrorCode::kInput,
-          fmt::format(
-              "{}: the material has a Phong highlight, or reflects more light than it gets, which "
-              "the integrator 'path' does not know; 'whitted' does, and so does it 'normalised'",
-              ToString(scene.PlaceOfMaterial(i)))};
-    }
-  }
+  if (const auto checked = CheckPhysical(scene, "path"); !checked) return checked.error();
   return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));
 }
 
@@ -174,7 +135,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
           path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
     }
     if (object.interior != SceneObject::kNoInterior &&
-        !FindMedia(object.interior, path, batch, &vertex)) {
+        !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {
       path.media = vertex.media_beyond;
       path.pdf = 0;  // Rays to sampled lights do not pass.
       paths.states()[left] = path;
@@ -187,8 +148,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     const bool is_recorded = step == 0 && output.HasLayers();
     if (is_last && !vertex.material->HasHoles() && !is_recorded) continue;
 
-    vertex.bsdf.frame = Frame::FromNormal(NormalTowards(vertex.point, vertex.wo));
-    vertex.material->Evaluate(vertex.point, &vertex.bsdf);
+    vertex.Evaluate();
     if (is_recorded) {
       SampleLayers& layers = output.layers[path.sample];
       layers.albedo = AlbedoOf(vertex.bsdf);
@@ -197,7 +157,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
       }
     }
     if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
-    if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart()) {
+    // Not by bounces: what is seen through a hole no light path brings.
+    const bool is_left_out = beyond_light_paths_ && step == 0;
+    if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart() && !is_left_out) {
       SampleLight(path, step, vertex, batch);
     }
     Ray next;
@@ -254,26 +216,6 @@ void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) c
   }
 }
 
-bool PathIntegrator::FindMedia(uint32_t interior, const PathState& path, Batch* batch,
-                               PathVertex* vertex) const {
-  const bool enters = Dot(vertex->point.OutwardNormal(), vertex->wo) >= 0;
-  const std::span<const Interior> interiors = scene_.interiors();
-  vertex->media_beyond = path.media;
-  if (enters) {
-    if (path.media.IsFull()) ++batch->rays.crowded;
-    vertex->media_beyond.Enter(interior);
-  } else {
-    vertex->media_beyond.Leave(interior);
-  }
-  if (path.media.Hides(interiors, interior, enters)) return false;
-  if (interiors[interior].is_explicit) {
-    const float inside = interiors[interior].medium.ior;
-    vertex->bsdf.index_here = enters ? path.media.Index(interiors) : inside;
-    vertex->bsdf.index_beyond = enters ? inside : vertex->media_beyond.Index(interiors);
-  }
-  return true;
-}
-
 void PathIntegrator::Lift(const HitRecord& hit, PathVertex* vertex) const {
   if (!vertex->bsdf.IsOpaque()) return;  // What goes through starts on the true surface.
   const bool is_inside = Dot(vertex->point.OutwardNormal(), vertex->wo) < 0;
@@ -295,6 +237,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
     *ray = PassOn(vertex);
     return true;
   }
+  if (beyond_light_paths_ && step == 0 && !next.is_delta) return false;
   if (path->bounces == bounces_) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
   if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;

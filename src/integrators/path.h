@@ -16,6 +16,7 @@
 namespace candela {
 
 struct IntegratorOptions;
+struct PathVertex;
 
 /// Path tracing: Kajiya, "The Rendering Equation", 1986. At each hit one light is chosen and
 /// sampled (next-event estimation); what rays find by chance is weighed against that, see
@@ -47,9 +48,6 @@ class PathIntegrator final : public Integrator {
 
   void SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                    Batch* batch) const;
-  /// Sets what there is on both sides of the surface of a body; false when it lies hidden in
-  /// another body.
-  bool FindMedia(uint32_t interior, const PathState& path, Batch* batch, PathVertex* vertex) const;
   /// Moves the point of a rounded mesh to where the round surface would be.
   void Lift(const HitRecord& hit, PathVertex* vertex) const;
   /// Whether the path goes on, and where.
@@ -62,7 +60,7 @@ class PathIntegrator final : public Integrator {
   std::array<uint32_t, 3> bounces_of_kind_;
   uint32_t seed_;
   SamplerType sampler_;
-  bool has_roulette_, has_lift_;
+  bool has_roulette_, has_lift_, beyond_light_paths_;
 };
 
 }  // namespace candela

@@ -27,6 +27,11 @@ std::vector<const Light*> OnlyPoints(std::vector<const Light*> lights) {
     LightKind Kind() const override { return LightKind::kSurface; }
     LightSample SampleIncident(Vec3) const override { return {{}, {}, 0, 0}; }
     LightReach Reach() const override { return {}; }
+    EmissionSample SampleEmission(const Ball&, Vec2, Vec2) const override { return {}; }
+    EmissionPdf PdfEmission(const Ball&, const SurfacePoint&, Vec3) const override {
+      return {0, 0};
+    }
+    float Power(const Ball&) const override { return 0; }
   };
   static const Dark kDark;
   for (const Light*& light : lights) {

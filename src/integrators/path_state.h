@@ -3,11 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/surface_point.h"
 #include "integrators/medium_stack.h"
 #include "integrators/ray_cone.h"
-#include "materials/bsdf.h"
-#include "materials/material.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
 #include "sampling/sampler.h"
@@ -15,15 +12,15 @@
 namespace candela {
 
 /// What the dimensions of a bounce are used for.
-enum BounceUse : uint32_t { kDirection = 0, kRoulette = 2, kLightChoice = 3, kLightPoint = 4 };
-
-/// What a surface does with a path; each has a limit of its own.
-enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
-
-inline BounceKind KindOf(bool is_delta, bool is_transmission) {
-  if (is_transmission) return kTransmission;
-  return is_delta ? kMirror : kDiffuse;
-}
+enum BounceUse : uint32_t {
+  kDirection = 0,
+  kRoulette = 2,
+  // Of paths from the camera.
+  kLightChoice = 3,
+  kLightPoint = 4,
+  // Of paths from lights.
+  kLens = 4,
+};
 
 /// A sample on its way.
 struct PathState {
@@ -42,16 +39,6 @@ struct PathState {
   float pdf = 0;
   Vec3 p;  ///< The point of that surface.
   RayCone cone;
-};
-
-/// A surface that a path has met.
-struct PathVertex {
-  SurfacePoint point;
-  Vec3 wo;
-  Bsdf bsdf;
-  const Material* material;
-  bool is_lifted = false;    ///< See `Scene::LiftOf`.
-  MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
 };
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "integrators/light_trace.h"
 #include "integrators/path.h"
 #include "integrators/whitted.h"
 
@@ -17,6 +18,8 @@ constexpr IntegratorEntry kIntegrators[] = {
      true, false},
     {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
      true, true, false},
+    {"light_trace", "the same light, followed from the lights to the camera",
+     &LightTraceIntegrator::Create, true, false, true},
 };
 
 }  // namespace
@@ -32,11 +35,9 @@ const IntegratorEntry* FindIntegrator(std::string_view name) {
 
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
                                                      const IntegratorOptions& options) {
+  if (const IntegratorEntry* entry = FindIntegrator(name)) return entry->create(scene, options);
   std::vector<std::string_view> names;
-  for (const IntegratorEntry& entry : kIntegrators) {
-    if (entry.name == name) return entry.create(scene, options);
-    names.push_back(entry.name);
-  }
+  for (const IntegratorEntry& entry : kIntegrators) names.push_back(entry.name);
   return Error{ErrorCode::kUsage, fmt::format("there is no integrator {}{}; known: {}", Quote(name),
                                               DidYouMean(name, names), ListOf(names))};
 }

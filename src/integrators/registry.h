@@ -18,8 +18,8 @@ namespace candela {
 struct IntegratorOptions {
   /// Reflections after the camera ray; without a value each integrator has a default of its own.
   std::optional<uint32_t> bounces;
-  /// For `path`, of these bounces: those by surfaces that scatter, by mirrors, and through
-  /// surfaces. Unlimited without a value.
+  /// For `path` and `light_trace`, of these bounces: those by surfaces that scatter, by mirrors,
+  /// and through surfaces. Unlimited without a value.
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
   uint32_t seed = 0;

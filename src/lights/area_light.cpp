@@ -1,10 +1,13 @@
 #include "lights/area_light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lights/light_context.h"
 #include "math/elementary.h"
+#include "math/frame.h"
+#include "sampling/warp.h"
 
 namespace candela {
 
@@ -47,10 +50,7 @@ Spectrum AreaLight::Emitted(const SurfacePoint& point, Vec3 w) const {
 
 LightReach AreaLight::Reach() const {
   if (!sampler_) return {};
-  const double sides = is_two_sided_ ? 2 : 1;
-  const double flux = kPi * sampler_->Area() * sides * double{MeanOf(radiance_.ToRgb())};
-  // The largest lamps keep an order among each other.
-  LightReach reach{static_cast<float>(std::min(flux, 1e30)), false, center_, radius_};
+  LightReach reach{Power({}), false, center_, radius_};
   reach.axis = sampler_->FlatNormal();
   if (reach.axis == Vec3()) return reach;
   reach.is_flat = true;
@@ -58,6 +58,43 @@ LightReach AreaLight::Reach() const {
   reach.power *= is_two_sided_ ? 2 : 4;
   if (!is_two_sided_) reach.least_cosine = 0;
   return reach;
+}
+
+EmissionSample AreaLight::SampleEmission(const Ball&, Vec2 u_position, Vec2 u_direction) const {
+  if (!sampler_) return {};
+  const AreaSample drawn = sampler_->SampleArea(u_position);
+  Vec3 n = drawn.point.n_geometric;
+  if (is_two_sided_) {
+    u_direction.x *= 2;
+    if (u_direction.x >= 1) {
+      u_direction.x -= 1;
+      n = -n;
+    }
+  }
+  const Vec3 local = SampleCosineHemisphere(u_direction);
+  if (!(local.z > 0) || !(drawn.pdf > 0)) return {};
+  EmissionSample sample;
+  sample.origin = drawn.point;
+  sample.direction = Frame::FromNormal(n).ToWorld(local);
+  sample.pdf_position = drawn.pdf;
+  sample.pdf_direction = CosineHemispherePdf(local.z) / Sides();
+  // The cosine cancels that of the density.
+  sample.flux = radiance_ * (static_cast<float>(kPi) * Sides() / drawn.pdf);
+  return sample;
+}
+
+EmissionPdf AreaLight::PdfEmission(const Ball&, const SurfacePoint& from, Vec3 w) const {
+  if (!sampler_) return {0, 0};
+  const float cosine = Dot(from.n_geometric, w);
+  const float density = CosineHemispherePdf(is_two_sided_ ? std::abs(cosine) : cosine);
+  return {sampler_->PdfArea(from.n_geometric), density / Sides()};
+}
+
+float AreaLight::Power(const Ball&) const {
+  if (!sampler_) return 0;
+  const double flux = kPi * sampler_->Area() * double{Sides()} * double{MeanOf(radiance_.ToRgb())};
+  // The largest lamps keep an order among each other.
+  return static_cast<float>(std::min(flux, 1e30));
 }
 
 }  // namespace candela

@@ -25,10 +25,17 @@ class AreaLight final : public Light {
   float PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3 w) const override;
   Spectrum Emitted(const SurfacePoint& point, Vec3 w) const override;
   LightReach Reach() const override;
+  EmissionSample SampleEmission(const Ball& scene, Vec2 u_position,
+                                Vec2 u_direction) const override;
+  EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
+  float Power(const Ball& scene) const override;
+  bool IsFoundByHitsAlone() const override { return !sampler_ && MeanOf(radiance_.ToRgb()) > 0; }
   void SetSurface(std::unique_ptr<const SurfaceSampler> sampler, Vec3 center,
                   float radius) override;
 
  private:
+  float Sides() const { return is_two_sided_ ? 2 : 1; }
+
   Spectrum radiance_;
   bool is_two_sided_;
   std::unique_ptr<const SurfaceSampler> sampler_;

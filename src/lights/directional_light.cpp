@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lights/sky_emission.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -57,6 +58,22 @@ Spectrum DirectionalLight::Emitted(const SurfacePoint&, Vec3 w) const {
 
 LightReach DirectionalLight::Reach() const {
   return {MeanOf(Abs(color_)), true, {}, 0};
+}
+
+EmissionSample DirectionalLight::SampleEmission(const Ball& scene, Vec2 u_position,
+                                                Vec2 u_direction) const {
+  const LightSample seen = SampleIncident({}, u_direction);
+  return EmitFromSky(scene, -seen.direction, seen.pdf, seen.radiance, u_position);
+}
+
+EmissionPdf DirectionalLight::PdfEmission(const Ball& scene, const SurfacePoint&, Vec3 w) const {
+  return {SkyPositionPdf(scene), one_minus_cosine_ > 0 ? PdfIncident({}, {}, -w) : 1};
+}
+
+float DirectionalLight::Power(const Ball& scene) const {
+  const float across = one_minus_cosine_ > 0 ? MeanOf(Abs(radiance_)) / ConePdf(one_minus_cosine_)
+                                             : MeanOf(Abs(color_));
+  return across * static_cast<float>(SkyDiskArea(scene));
 }
 
 }  // namespace candela

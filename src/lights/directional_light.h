@@ -27,6 +27,10 @@ class DirectionalLight final : public Light {
   float PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3 w) const override;
   Spectrum Emitted(const SurfacePoint& point, Vec3 w) const override;
   LightReach Reach() const override;
+  EmissionSample SampleEmission(const Ball& scene, Vec2 u_position,
+                                Vec2 u_direction) const override;
+  EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
+  float Power(const Ball& scene) const override;
 
  private:
   bool IsSeenAlong(Vec3 w) const;

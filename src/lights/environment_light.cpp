@@ -4,7 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "lights/sky_emission.h"
 #include "math/elementary.h"
+#include "sampling/warp.h"
 #include "textures/lat_long.h"
 
 namespace candela {
@@ -84,6 +86,35 @@ float EnvironmentLight::PdfIncident(Vec3, const SurfacePoint&, Vec3 w) const {
   if (!(sine > 0)) return 0;
   const Vec2 place = TurnLatLong(LatLongOf(w), turn_);
   return distribution_.Pdf(place) / (static_cast<float>(2 * kPi * kPi) * sine);
+}
+
+EmissionSample EnvironmentLight::SampleEmission(const Ball& scene, Vec2 u_position,
+                                                Vec2 u_direction) const {
+  const float even = EvenShare();
+  Vec3 to_sky;
+  if (u_direction.x < even) {
+    to_sky = SampleUniformSphere({u_direction.x / even, u_direction.y});
+  } else {
+    u_direction.x = std::min((u_direction.x - even) / (1 - even), 0x1.fffffep-1f);
+    const LightSample seen = SampleIncident({}, u_direction);
+    if (seen.pdf == 0) return {};
+    to_sky = seen.direction;
+  }
+  const float pdf = PdfEmission(scene, {}, -to_sky).direction;
+  if (!(pdf > 0)) return {};
+  return EmitFromSky(scene, -to_sky, pdf, Radiance(to_sky), u_position);
+}
+
+EmissionPdf EnvironmentLight::PdfEmission(const Ball& scene, const SurfacePoint&, Vec3 w) const {
+  const float even = EvenShare();
+  return {SkyPositionPdf(scene), even * UniformSpherePdf() + (1 - even) * PdfIncident({}, {}, -w)};
+}
+
+// What falls through the grid of a cube map keeps a little of the choice among lights.
+float EnvironmentLight::Power(const Ball& scene) const {
+  constexpr float kLeastOfCubeMap = 1e-3f;
+  const float irradiance = cube_map_ ? std::max(irradiance_, kLeastOfCubeMap) : irradiance_;
+  return 4 * irradiance * static_cast<float>(SkyDiskArea(scene));
 }
 
 }  // namespace candela

@@ -24,11 +24,17 @@ class EnvironmentLight final : public Light {
   float PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3 w) const override;
   Spectrum Emitted(const SurfacePoint&, Vec3 w) const override { return Radiance(-w); }
   LightReach Reach() const override { return {irradiance_, true, {}, 0}; }
+  EmissionSample SampleEmission(const Ball& scene, Vec2 u_position,
+                                Vec2 u_direction) const override;
+  EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
+  float Power(const Ball& scene) const override;
 
  private:
   /// The means of cells times the solid angles of their rows, in place.
   std::span<const float> WeighBySolidAngle(std::span<float> means, size_t columns);
   Spectrum Radiance(Vec3 direction) const;
+  /// How often a direction of emission is drawn from the whole sphere, whatever the grid says.
+  float EvenShare() const { return cube_map_ ? 0.125f : 0; }
 
   const EnvironmentMap* map_ = nullptr;
   const CubeMap* cube_map_ = nullptr;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 
+#include "geometry/ball.h"
 #include "geometry/surface_point.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -21,6 +22,22 @@ struct LightSample {
                                           ///< does not meet the light itself.
   float pdf = 1;  ///< Of the direction, over solid angle; 1 for a light without extent, 0 when
                   ///< nothing was drawn.
+};
+
+/// Light that leaves a light source along a ray.
+struct EmissionSample {
+  /// Where it starts: on the surface of the light with its normal, else without one. Of a light in
+  /// the sky, outside of the scene.
+  SurfacePoint origin;
+  Vec3 direction;  ///< Where it goes; a unit vector.
+  Spectrum flux;   ///< Radiance times cosine over both densities; black when nothing was drawn.
+  float pdf_position = 0;   ///< Of the origin, over area; 1 when there is only one.
+  float pdf_direction = 0;  ///< Of the direction, over solid angle; 1 when there is only one.
+};
+
+/// The densities of that.
+struct EmissionPdf {
+  float position, direction;
 };
 
 /// Who can meet a light besides a sample of it.
@@ -78,6 +95,23 @@ class Light {
   virtual Spectrum Emitted(const SurfacePoint& /*point*/, Vec3 /*w*/) const { return {}; }
 
   virtual LightReach Reach() const = 0;
+
+  /// Light that it sends out, drawn with two pairs of numbers in [0, 1), if nothing is in the way.
+  /// The mean of the flux is all the light that it sends; from the sky, into `scene`, a ball around
+  /// all that it can light, of which it draws a disk across the direction.
+  virtual EmissionSample SampleEmission(const Ball& scene, Vec2 u_position,
+                                        Vec2 u_direction) const = 0;
+
+  /// The densities with which that draws the origin `from` and the unit direction `w`; they are 1
+  /// where there is nothing to draw.
+  virtual EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const = 0;
+
+  /// The mean over the colours of the flux that `SampleEmission` gives, colours that take light
+  /// away taken as positive; nearly, where it is not known exactly.
+  virtual float Power(const Ball& scene) const = 0;
+
+  /// Whether it gives light that `SampleEmission` cannot draw, since its surface cannot be sampled.
+  virtual bool IsFoundByHitsAlone() const { return false; }
 
   /// Called once while the scene is compiled, for a light that is the surface of an object: what
   /// draws points of it, which may be null, and a ball around it.

@@ -5,6 +5,7 @@
 
 #include "lights/light_context.h"
 #include "math/elementary.h"
+#include "sampling/warp.h"
 
 namespace candela {
 
@@ -27,6 +28,24 @@ LightSample PointLight::SampleIncident(Vec3 p) const {
 LightReach PointLight::Reach() const {
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
   return {kAllAround * MeanOf(Abs(color_)) / attenuation_, false, position_, 0};
+}
+
+EmissionSample PointLight::SampleEmission(const Ball&, Vec2, Vec2 u_direction) const {
+  EmissionSample sample;
+  sample.origin.p = position_;
+  sample.direction = SampleUniformSphere(u_direction);
+  sample.flux = Spectrum(color_ / attenuation_) * (1 / UniformSpherePdf());
+  sample.pdf_position = 1;
+  sample.pdf_direction = UniformSpherePdf();
+  return sample;
+}
+
+EmissionPdf PointLight::PdfEmission(const Ball&, const SurfacePoint&, Vec3) const {
+  return {1, UniformSpherePdf()};
+}
+
+float PointLight::Power(const Ball&) const {
+  return MeanOf(Abs(color_)) / attenuation_ / UniformSpherePdf();
 }
 
 }  // namespace candela

@@ -5,6 +5,8 @@
 
 #include "lights/light_context.h"
 #include "math/elementary.h"
+#include "math/frame.h"
+#include "sampling/warp.h"
 
 namespace candela {
 
@@ -55,6 +57,29 @@ LightReach SpotLight::Reach() const {
   reach.axis = direction_;
   reach.least_cosine = cosine_outer_;
   return reach;
+}
+
+// Directions are drawn evenly from the cone; what a narrow one rounds to nothing sends no light.
+EmissionSample SpotLight::SampleEmission(const Ball&, Vec2, Vec2 u_direction) const {
+  const float one_minus_cosine = 1 - cosine_outer_;
+  const Vec3 local = SampleCone(u_direction, one_minus_cosine);
+  EmissionSample sample;
+  sample.origin.p = position_;
+  sample.direction = Frame::FromNormal(direction_).ToWorld(local);
+  sample.pdf_position = 1;
+  sample.pdf_direction = ConePdf(one_minus_cosine);
+  sample.flux = Spectrum(color_ * (Falloff(local.z) / attenuation_)) * (1 / sample.pdf_direction);
+  return sample;
+}
+
+EmissionPdf SpotLight::PdfEmission(const Ball&, const SurfacePoint&, Vec3 w) const {
+  return {1, Dot(w, direction_) >= cosine_outer_ ? ConePdf(1 - cosine_outer_) : 0};
+}
+
+// The falloff is symmetric about the middle of its two cosines.
+float SpotLight::Power(const Ball&) const {
+  const float mean_cosine = (cosine_inner_ + cosine_outer_) / 2;
+  return MeanOf(Abs(color_)) / attenuation_ * static_cast<float>(2 * kPi) * (1 - mean_cosine);
 }
 
 }  // namespace candela

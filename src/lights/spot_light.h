@@ -27,6 +27,10 @@ class SpotLight final : public Light {
   LightKind Kind() const override { return LightKind::kPoint; }
   LightSample SampleIncident(Vec3 p) const override;
   LightReach Reach() const override;
+  EmissionSample SampleEmission(const Ball& scene, Vec2 u_position,
+                                Vec2 u_direction) const override;
+  EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
+  float Power(const Ball& scene) const override;
 
  private:
   /// From 1 in the inner cone to 0 outside, by the cosine of the angle off the direction.

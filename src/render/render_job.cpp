@@ -10,6 +10,7 @@
 #include "render/pixel_order.h"
 #include "render/row_feed.h"
 #include "render/sample_placer.h"
+#include "render/splat_placer.h"
 #include "render/tiles.h"
 
 namespace candela {
@@ -66,9 +67,19 @@ class RenderJob::Worker {
     }
     TraceBatch();
     if (!has_one_sample_) job_.film_.EndTile(tile_);
+    if (job_.splats_) AddSplats(window);
     dropped_ += dropped_of_tile_;
     lost_ += lost_of_tile_;
     return true;
+  }
+
+  /// Those numbered from `first` on.
+  void TraceLightPaths(uint64_t first, uint64_t count, const SplatPlacer& placer) {
+    const uint64_t rays_before = workspace_->rays.Total();
+    splats_.clear();
+    job_.integrator_.TraceLightPaths(first, count, workspace_.get(), &splats_);
+    for (const Splat& splat : splats_) placer.Add(splat, &*job_.splats_);
+    CountDone(count, rays_before);
   }
 
   const RayCounts& Rays() const { return workspace_->rays; }
@@ -88,8 +99,7 @@ class RenderJob::Worker {
         {radiance_, layers_, job_.options_.layers.Has(Layer::kUv), wants_surface_});
     for (size_t i = 0; i < requests_.size(); ++i) TakeSample(i);
     wants_surface_.clear();
-    job_.samples_done_.fetch_add(requests_.size(), std::memory_order_relaxed);
-    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
+    CountDone(requests_.size(), rays_before);
     requests_.clear();
     weights_.clear();
   }
@@ -115,6 +125,19 @@ class RenderJob::Worker {
     tile_.AddLayers(x, y, layers_[i], limited, weights_[i]);
   }
 
+  void AddSplats(const PixelWindow& window) {
+    const uint64_t paths = job_.LightPaths();
+    ForEachPixel(window, [&](int x, int y) {
+      job_.film_.AddToColour(x, y, job_.splats_->Mean(x, y, paths));
+      return true;
+    });
+  }
+
+  void CountDone(uint64_t samples, uint64_t rays_before) {
+    job_.samples_done_.fetch_add(samples, std::memory_order_relaxed);
+    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
+  }
+
   RenderJob& job_;
   const SamplePlacer& placer_;
   const CancelToken& cancel_;
@@ -129,6 +152,7 @@ class RenderJob::Worker {
   std::vector<Spectrum> radiance_;
   std::vector<SampleLayers> layers_;    ///< Empty when nobody asks for layers.
   std::vector<uint8_t> wants_surface_;  ///< The same; the nearest to the middle of their pixels.
+  std::vector<Splat> splats_;
   DroppedSamples dropped_, dropped_of_tile_;
   ClampLoss lost_, lost_of_tile_;
 };
@@ -138,10 +162,32 @@ RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options,
       options_(options),
       film_(options.crop, keep,
             options.drops_negative ? Film::Negative::kDrop : Film::Negative::kTake, options.layers),
-      tile_samples_(static_cast<size_t>(Tiles(options.crop, options.tile_size).Count())) {}
+      tile_samples_(static_cast<size_t>(Tiles(options.crop, options.tile_size).Count())) {
+  if (!integrator.TracesLightPaths()) return;
+  CHECK(keep == Film::Keep::kColours);  // The sums of a film hold nothing of what paths bring.
+  splats_.emplace(options.crop);
+}
+
+uint64_t RenderJob::LightPaths() const {
+  if (!splats_) return 0;
+  return PixelCount({0, 0, options_.width, options_.height}) * options_.samples;
+}
 
 uint64_t RenderJob::SamplesTotal() const {
-  return PixelCount(options_.crop) * options_.samples;
+  return PixelCount(options_.crop) * options_.samples + LightPaths();
+}
+
+void RenderJob::TraceLightPaths(const Workers& workers, const CancelToken& cancel) {
+  constexpr uint64_t kTogether = 4096;
+  const SplatPlacer placer(options_);
+  const uint64_t paths = LightPaths();
+  const auto parts = static_cast<int64_t>((paths + kTogether - 1) / kTogether);
+  ParallelForWorkers(parts, [&](int64_t part, int worker) {
+    if (cancel.IsCancelled()) return;
+    const uint64_t first = static_cast<uint64_t>(part) * kTogether;
+    workers[static_cast<size_t>(worker)]->TraceLightPaths(first, std::min(kTogether, paths - first),
+                                                          placer);
+  });
 }
 
 bool RenderJob::CanRestore(const RenderState& state) const {
@@ -171,8 +217,10 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
                             const std::function<Result<void>()>& after_pass) {
   const SamplePlacer placer(options_);
   const Tiles tiles(options_.crop, options_.tile_size);
-  std::vector<std::unique_ptr<Worker>> workers(static_cast<size_t>(ThreadCount()));
+  Workers workers(static_cast<size_t>(ThreadCount()));
   for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
+  // All of them come first: a pixel is done when its tile is.
+  TraceLightPaths(workers, cancel);
   const uint32_t step = film_.KeepsSums() ? kSamplesOfPass : options_.samples;
   uint32_t end = 0;
   while (end < options_.samples) {
@@ -203,11 +251,13 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
   return {};
 }
 
-uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits, bool with_sums) {
+uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrator,
+                        bool with_first_hits, bool with_sums) {
   // Per pixel: the film's and the encoder's floats, the quantised samples, the encoded file in the
   // worst case, and some room for what the libraries add.
   uint64_t per_pixel = 12 + 12 + 6 + 8 + 8 + (with_first_hits ? 20 : 0);
-  if (with_sums) per_pixel += 3 * sizeof(PixelSums);  // And the file, and what is read from it.
+  if (integrator.TracesLightPaths()) per_pixel += 48;  // See `SplatFilm`.
+  if (with_sums) per_pixel += 3 * sizeof(PixelSums);   // And the file, and what is read from it.
   for (size_t i = 0; i < kLayerCount; ++i) {
     // The words of the film, and those of the file.
     const uint64_t channels = Layers()[i].channels.size();

@@ -3,12 +3,15 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/cancel_token.h"
 #include "base/result.h"
 #include "film/encode_film.h"
 #include "film/film.h"
+#include "film/splat_film.h"
 #include "integrators/integrator.h"
 #include "render/dropped_samples.h"
 #include "render/render_options.h"
@@ -29,7 +32,8 @@ struct RenderState {
 class RenderJob {
  public:
   /// Both have to outlive the job. One that keeps sums renders the picture in passes of a few
-  /// samples each, can be asked what it has done so far, and can go on from there another time.
+  /// samples each, can be asked what it has done so far, and can go on from there another time;
+  /// that is not for integrators that trace light paths.
   RenderJob(const Integrator& integrator, const RenderOptions& options,
             Film::Keep keep = Film::Keep::kColours);
 
@@ -51,7 +55,8 @@ class RenderJob {
   /// The picture: linear red, green and blue, unclamped, of the crop window.
   const Film& film() const { return film_; }
 
-  /// How far it is; may be asked from another thread while `Run` works.
+  /// How far it is; may be asked from another thread while `Run` works. Light paths count as
+  /// samples.
   uint64_t SamplesDone() const { return samples_done_.load(std::memory_order_relaxed); }
   uint64_t SamplesTotal() const;
   uint64_t RaysTraced() const { return rays_traced_.load(std::memory_order_relaxed); }
@@ -61,14 +66,23 @@ class RenderJob {
   /// And then, or after a pass, what did not come into the picture.
   const DroppedSamples& Dropped() const { return dropped_; }
   const ClampLoss& Lost() const { return lost_; }
+  /// How many splats of light paths were left out because they were not finite.
+  uint64_t DroppedSplats() const { return splats_ ? splats_->DroppedSplats() : 0; }
 
  private:
   class Worker;
+  using Workers = std::vector<std::unique_ptr<Worker>>;
+
+  /// How many light paths there are: one for each sample of each pixel of the whole picture, so
+  /// that a crop gets the light that it has there.
+  uint64_t LightPaths() const;
+  void TraceLightPaths(const Workers& workers, const CancelToken& cancel);
 
   const Integrator& integrator_;
   const RenderOptions& options_;
   Film film_;
   std::vector<uint32_t> tile_samples_;
+  std::optional<SplatFilm> splats_;  ///< For integrators that trace light paths.
   RayCounts rays_;
   DroppedSamples dropped_;
   ClampLoss lost_;
@@ -79,6 +93,7 @@ class RenderJob {
 /// Memory in bytes that a picture of this size takes from the first ray to the written file, apart
 /// from the scene; the largest number when it exceeds that. With first hits for maps, and with sums
 /// for a checkpoint.
-uint64_t EstimateMemory(const RenderOptions& options, bool with_first_hits, bool with_sums);
+uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrator,
+                        bool with_first_hits, bool with_sums);
 
 }  // namespace candela

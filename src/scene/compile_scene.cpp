@@ -318,6 +318,7 @@ class SceneCompiler {
     }
     scene_->objects_.resize(left);
     places_.resize(left);
+    for (const Place& place : places_) scene_->object_places_.push_back(place.where);
   }
 
   /// False when the object is to be left out.

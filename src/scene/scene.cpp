@@ -85,7 +85,7 @@ uint64_t Scene::MemoryBytes() const {
   uint64_t bytes = sizeof *this + tree_.MemoryBytes();
   std::set<const Shape*> counted;
   for (const SceneObject& object : objects_) {
-    bytes += sizeof object;
+    bytes += sizeof object + sizeof(SourceLocation);
     if (counted.insert(object.shape.get()).second) bytes += object.shape->MemoryBytes();
   }
   for (const auto& texture : textures_) bytes += texture->MemoryBytes();

@@ -80,6 +80,8 @@ class Scene {
   const std::vector<Interior>& interiors() const { return interiors_; }
   /// Where the scene file describes a material, for messages.
   const SourceLocation& PlaceOfMaterial(size_t index) const { return material_places_[index]; }
+  /// The same of an object.
+  const SourceLocation& PlaceOfObject(size_t index) const { return object_places_[index]; }
 
   /// The box around all bounded objects.
   Bounds3 Bounds() const;
@@ -100,6 +102,7 @@ class Scene {
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<SourceLocation> material_places_;
+  std::vector<SourceLocation> object_places_;
   std::vector<std::shared_ptr<const Texture>> textures_;
   std::vector<Interior> interiors_;
   SceneTree tree_;

@@ -44,6 +44,10 @@ class DiskSampler final : public SurfaceSampler {
     return PdfByArea(from, p, n_, area_);
   }
 
+  AreaSample SampleArea(Vec2 u) const override {
+    return SampleOfArea(PointAt(SampleDisk(u)), n_, size_, PdfArea(n_));
+  }
+
   double Area() const override { return area_; }
   Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }

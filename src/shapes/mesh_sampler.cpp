@@ -26,6 +26,27 @@ class MeshSampler final : public SurfaceSampler {
         table_(areas) {}
 
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
+    const Drawn drawn = Draw(u);
+    return SampleByArea(from, drawn.p, drawn.n, area_);
+  }
+
+  float Pdf(Vec3 from, Vec3 p, Vec3 n) const override { return PdfByArea(from, p, n, area_); }
+
+  AreaSample SampleArea(Vec2 u) const override {
+    const Drawn drawn = Draw(u);
+    return SampleOfArea(drawn.p, drawn.n, drawn.size, PdfArea(drawn.n));
+  }
+
+  double Area() const override { return area_; }
+  uint64_t MemoryBytes() const override { return sizeof *this + table_.MemoryBytes(); }
+
+ private:
+  /// A point of a triangle of the given size.
+  struct Drawn {
+    Vec3 p, n;
+    float size;
+  };
+  Drawn Draw(Vec2 u) const {
     // The first number has too few digits to choose among many triangles; the second lends its own.
     // What it chooses by them is too little to be seen beside what it does on the triangle.
     const auto [index, rest] = table_.Draw(double{u.x} + double{u.y} * 0x1p-24);
@@ -35,16 +56,10 @@ class MeshSampler final : public SurfaceSampler {
     const Vec3 c = world_from_object_.Point(positions_[corners[2]]);
     const Vec3 n = TriangleNormal(a, b, c);
     const Vec2 weights = SampleTriangle({static_cast<float>(rest), u.y});
-    return SampleByArea(from, TrianglePoint(a, b, c, weights.x, weights.y), is_mirrored_ ? -n : n,
-                        area_);
+    return {TrianglePoint(a, b, c, weights.x, weights.y), is_mirrored_ ? -n : n,
+            Length(b - a) + Length(c - a)};
   }
 
-  float Pdf(Vec3 from, Vec3 p, Vec3 n) const override { return PdfByArea(from, p, n, area_); }
-
-  double Area() const override { return area_; }
-  uint64_t MemoryBytes() const override { return sizeof *this + table_.MemoryBytes(); }
-
- private:
   std::span<const Vec3> positions_;
   std::span<const MeshSpec::Corners> triangles_;
   Transform world_from_object_;

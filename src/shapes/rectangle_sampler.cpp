@@ -45,6 +45,10 @@ class RectangleSampler final : public SurfaceSampler {
     return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
+  AreaSample SampleArea(Vec2 u) const override {
+    return SampleOfArea(PointAt(u), n_, size_, PdfArea(n_));
+  }
+
   double Area() const override { return area_; }
   Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }

@@ -56,6 +56,20 @@ class SphereSampler final : public SurfaceSampler {
     return PdfInWorld(Normalize(object_from_world_.Vector(p - from)), OneMinusCosine(squared));
   }
 
+  AreaSample SampleArea(Vec2 u) const override {
+    const Vec3 normal = SampleUniformSphere(u);
+    const Vec3 p = world_from_object_.Point(normal * radius_);
+    const Vec3 n = NormalizeAnyLength(object_from_world_.TransposedVector(normal));
+    return SampleOfArea(p, n, static_cast<float>(std::sqrt(area_)), PdfArea(n));
+  }
+
+  // Points are drawn evenly in object space. With the normals n of the world, M stretches areas by
+  // |det M| / |transposed M n|.
+  float PdfArea(Vec3 n) const override {
+    const double length = Length(ToDouble(world_from_object_.TransposedVector(n)));
+    return static_cast<float>(length / (determinant_ * 4 * kPi * double{radius_} * radius_));
+  }
+
   double Area() const override { return area_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
 

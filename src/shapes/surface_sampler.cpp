@@ -41,6 +41,12 @@ float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area) {
   return squared * distance / (static_cast<float>(area) * height);
 }
 
+AreaSample SampleOfArea(Vec3 p, Vec3 n, float size, float pdf) {
+  // As above: what the way from object space and back to it may round.
+  const float error = (Largest(p) + size) * 4e-6f;
+  return {{p, {error, error, error}, n, n}, pdf};
+}
+
 bool IsFar(Vec3 from, Vec3 p, float size) {
   return LengthSquared(from - p) > 9 * size * size;
 }

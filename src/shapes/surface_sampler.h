@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "geometry/surface_point.h"
 #include "math/vec.h"
 
 namespace candela {
@@ -15,9 +16,15 @@ struct SurfaceSample {
   float pdf = 0;       ///< Over solid angle; 0 when nothing was drawn.
 };
 
+/// A point of a surface, whoever sees it.
+struct AreaSample {
+  SurfacePoint point;  ///< Its place, the bound on its error, and its geometric normal.
+  float pdf = 0;       ///< Over area; 0 when nothing was drawn.
+};
+
 /// Draws points of the surface of one object, in world space, for lights: as they are seen from
-/// somewhere, such that where much of the light comes from many are drawn. What other objects hide
-/// is not known here. Immutable; called concurrently.
+/// somewhere, such that where much of the light comes from many are drawn, and by area. What other
+/// objects hide is not known here. Immutable; called concurrently.
 class SurfaceSampler {
  public:
   virtual ~SurfaceSampler() = default;
@@ -30,6 +37,12 @@ class SurfaceSampler {
   /// The density over solid angle with which `Sample(from)` draws the point `p` of the surface, the
   /// nearest in its direction, where the unit normal is `n`. 0 where it draws nothing.
   virtual float Pdf(Vec3 from, Vec3 p, Vec3 n) const = 0;
+
+  /// A point of the whole surface, drawn with two numbers in [0, 1).
+  virtual AreaSample SampleArea(Vec2 u) const = 0;
+
+  /// The density over area with which that draws a point where the unit normal is `n`.
+  virtual float PdfArea(Vec3 /*n*/) const { return static_cast<float>(1 / Area()); }
 
   /// Of one side.
   virtual double Area() const = 0;
@@ -45,6 +58,10 @@ SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area);
 
 /// Its density over solid angle: distance squared / (area cosine); 0 for a point seen edge-on.
 float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+
+/// The sample of a point of a surface, which rays may leave: its error is bounded for a surface, or
+/// a triangle of it, that reaches `size` far from `p`.
+AreaSample SampleOfArea(Vec3 p, Vec3 n, float size, float pdf);
 
 /// Whether a flat surface of the given size around `p` is seen so small that drawing it by area, in
 /// a fraction of the time, is as good as by solid angle: distance and cosine hardly vary.

@@ -20,8 +20,7 @@ class TriangleSampler final : public SurfaceSampler {
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
     if (IsInPlane(from, center_, n_, size_)) return {};
     if (IsFar(from, center_, size_)) {
-      const Vec2 weights = SampleTriangle(u);
-      return SampleByArea(from, TrianglePoint(a_, b_, c_, weights.x, weights.y), n_, area_);
+      return SampleByArea(from, PointAt(SampleTriangle(u)), n_, area_);
     }
     const SphericalTriangle seen = SeenFrom(from);
     if (!(seen.SolidAngle() > kLeastAngle)) return {};
@@ -40,6 +39,10 @@ class TriangleSampler final : public SurfaceSampler {
     return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
+  AreaSample SampleArea(Vec2 u) const override {
+    return SampleOfArea(PointAt(SampleTriangle(u)), n_, size_, PdfArea(n_));
+  }
+
   double Area() const override { return area_; }
   Vec3 FlatNormal() const override { return n_; }
   uint64_t MemoryBytes() const override { return sizeof *this; }
@@ -48,6 +51,7 @@ class TriangleSampler final : public SurfaceSampler {
   /// So little is seen edge-on, or of a sliver; rays find it.
   static constexpr double kLeastAngle = 1e-6;
 
+  Vec3 PointAt(Vec2 weights) const { return TrianglePoint(a_, b_, c_, weights.x, weights.y); }
   SphericalTriangle SeenFrom(Vec3 from) const {
     const Vec3d origin = ToDouble(from);
     return {ToDouble(a_) - origin, ToDouble(b_) - origin, ToDouble(c_) - origin};

@@ -36,15 +36,17 @@ class CandelaRenderTest : public ProgramTest {
         {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
   /// Lit by the background alone: without highlights, which paths do not know.
-  void UseDiffuseScene() const {
+  void UseDiffuseScene(const std::string& floor = "plane normal 0 1 0 offset -1") const {
     Put(folder_ / "scene.txt",
-        "Camera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }\n"
-        "Background { color 1 0.5 0.25 ambient_light 0 0 0 }\n"
-        "Materials { Material { diffuse 0.8 0.8 0.8 } }\n"
-        "Scene { Node { Component<Material> { index 0 } Component<Object> { type sphere radius 1 } "
-        "}\n"
-        "  Node { Component<Material> { index 0 }\n"
-        "    Component<Object> { type plane normal 0 1 0 offset -1 } } }\n");
+        std::string("Camera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }\n") +
+            "Background { color 1 0.5 0.25 ambient_light 0 0 0 }\n"
+            "Materials { Material { diffuse 0.8 0.8 0.8 } }\n"
+            "Scene { Node { Component<Material> { index 0 } Component<Object> { type sphere radius "
+            "1 } "
+            "}\n"
+            "  Node { Component<Material> { index 0 }\n"
+            "    Component<Object> { type " +
+            floor + " } } }\n");
   }
   void ExpectUsageError(const std::vector<std::string>& arguments, const std::string& message) {
     ExpectRefusal(Render(arguments), 2, "candela render: error: " + message);
@@ -102,6 +104,38 @@ TEST_F(CandelaRenderTest, PathsHaveUsualValuesOfTheirOwn) {
   EXPECT_NE(usual, Rendered({"--integrator", "path", "--bounces", "1"}));
   EXPECT_NE(usual, Rendered({"--integrator", "path", "--seed", "1"}));
   EXPECT_NE(usual, Rendered({"--pixel-grid", "centres", "--samples", "64"}));
+}
+
+TEST_F(CandelaRenderTest, LightPathsHaveTheUsualValuesOfPaths) {
+  UseDiffuseScene();
+  ExpectRefusal(Render({"-o", "o.exr", "--integrator", "light_trace"}), 1,
+                "candela render: error: scene.txt:6:30: the plane has no end, so the integrator "
+                "'light_trace' cannot send all of the light from the sky to it; 'path' can, and so "
+                "can both with a rectangle");
+  UseDiffuseScene("rectangle width 9 height 9");
+  const size_t usual = Rendered({"--integrator", "light_trace"});
+  EXPECT_EQ(usual, Rendered({"--integrator", "light_trace", "--samples", "64", "--pixel-grid",
+                             "centres", "--filter", "box", "--bounces", "2147483647"}));
+  for (const char* filter : {"tent", "gaussian", "mitchell"}) {
+    EXPECT_NE(usual, Rendered({"--integrator", "light_trace", "--filter", filter}));
+  }
+  EXPECT_NE(usual, Rendered({"--integrator", "light_trace", "--bounces", "1"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "light_trace", "--seed", "1"}));
+  EXPECT_NE(usual, Rendered({"--integrator", "path"}));
+}
+
+TEST_F(CandelaRenderTest, LightPathsRefuseWhatBelongsToSamples) {
+  UseDiffuseScene("rectangle width 9 height 9");
+  const std::vector<std::string> usual = {"-o", "o.exr", "--integrator", "light_trace"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), usual.begin(), usual.end());
+    return more;
+  };
+  ExpectUsageError(with({"--aov", "all"}), "--aov: the integrator 'light_trace' has no layers");
+  ExpectUsageError(with({"--checkpoint", "c.bin"}),
+                   "--checkpoint: what 'light_trace' has done cannot be kept");
+  ExpectUsageError(with({"--clamp", "5"}),
+                   "--clamp: what light paths of 'light_trace' bring has no samples to clamp");
 }
 
 TEST_F(CandelaRenderTest, ThreadsChangeNothing) {
@@ -215,9 +249,10 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
       {"-o", "o.png", "--filter", "gausian"},
       "--filter: expects 'box', 'tent', 'gaussian', 'blackman_harris' or 'mitchell', found "
       "'gausian' (did you mean 'gaussian'?)");
-  ExpectUsageError({"-o", "o.png", "--integrator", "wihtted"},
-                   "--integrator: expects 'whitted' or 'path', found 'wihtted' (did you mean "
-                   "'whitted'?)");
+  ExpectUsageError(
+      {"-o", "o.png", "--integrator", "wihtted"},
+      "--integrator: expects 'whitted', 'path' or 'light_trace', found 'wihtted' (did you mean "
+      "'whitted'?)");
   ExpectUsageError({"-o", "o.png", "--samples", "0"},
                    "--samples: expects a whole number from 1 to 2147483647, found '0'");
   ExpectUsageError({"-o", "o.png", "--isa", "mmx"},

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace candela {
 namespace {
 
@@ -31,6 +33,24 @@ TEST(ImagePlane, ASideOfOnePixelMapsToZero) {
     EXPECT_EQ(ImagePlane(1, 1, grid, false).PointOf(0, 0, {}), (Vec2{0, 0}));
     EXPECT_EQ(ImagePlane(1, 5, grid, false).PointOf(0, 2, {}), (Vec2{0, 0}));
     EXPECT_EQ(ImagePlane(5, 1, grid, false).PointOf(2, 0, {}), (Vec2{0, 0}));
+  }
+}
+
+TEST(ImagePlane, PositionsAreTheInverseOfPoints) {
+  for (const PixelGrid grid : {PixelGrid::kCorners, PixelGrid::kCentres}) {
+    for (const bool stretch : {false, true}) {
+      for (const auto& [width, height] : {std::pair(40, 30), std::pair(7, 200), std::pair(1, 5)}) {
+        const ImagePlane plane(width, height, grid, stretch);
+        for (const Vec2 offset : {Vec2{0, 0}, Vec2{0.25f, -0.5f}, Vec2{-0.5f, 0.375f}}) {
+          const Vec2 position = plane.PositionOf(plane.PointOf(width / 2, height / 3, offset));
+          EXPECT_NEAR(position.x, static_cast<float>(width / 2) + offset.x, 2e-5);
+          EXPECT_NEAR(position.y, static_cast<float>(height / 3) + offset.y, 2e-5);
+        }
+        // The area between the centres of four pixels.
+        const Vec2 a = plane.PointOf(0, 0, {}), b = plane.PointOf(0, 0, {1, 1});
+        EXPECT_NEAR((b.x - a.x) * (a.y - b.y) * plane.PixelsPerArea(), 1, 1e-5);
+      }
+    }
   }
 }
 

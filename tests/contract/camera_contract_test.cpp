@@ -5,12 +5,16 @@
 #include <cmath>
 #include <set>
 #include <tuple>
+#include <vector>
 
 #include "cameras/image_plane.h"
 #include "cameras/perspective_camera.h"
+#include "tests/sampling/chi_square.h"
 
 namespace candela {
 namespace {
+
+using test::UniformNumbers;
 
 class EveryCamera : public testing::TestWithParam<CameraSpec> {
  protected:
@@ -64,6 +68,89 @@ TEST_P(EveryCamera, RaysCoverTheFilmOnce) {
     }
   }
   EXPECT_EQ(seen.size(), size_t{kSize} * kSize);
+}
+
+/// Such cameras, as they are and with lenses.
+std::vector<PerspectiveCamera> WithLenses(CameraSpec spec) {
+  std::vector<PerspectiveCamera> cameras{PerspectiveCamera(spec)};
+  for (const int blades : {0, 5}) {
+    spec.aperture = 0.25f;
+    spec.focus_distance = 3;
+    spec.blades = blades;
+    cameras.emplace_back(spec);
+  }
+  return cameras;
+}
+
+// From any point of a ray the way back ends in the image point and on the part of the lens that the
+// ray came from.
+TEST_P(EveryCamera, ConnectInvertsGenerateRay) {
+  UniformNumbers random(7);
+  for (const PerspectiveCamera& camera : WithLenses(spec_)) {
+    for (int i = 0; i < 10000; ++i) {
+      const Vec2 image_point{2 * random.Next() - 1, 2 * random.Next() - 1};
+      const Vec2 u = random.NextPair();
+      const Ray ray = camera.GenerateRay(image_point, u);
+      const float distance = 0.5f + 20 * random.Next();
+      const Vec3 p = ray.At(distance);
+      const auto connection = camera.Connect(p, u);
+      ASSERT_TRUE(connection);
+      // Far from the origin a point is so inexact, seen in units of the image.
+      const float rounding = (Length(p) + Length(ray.origin)) * 3e-7f / distance;
+      ASSERT_LT(Length(connection->direction + ray.direction), 3e-6f + rounding);
+      ASSERT_NEAR(connection->distance, distance, 1e-5f * distance + rounding);
+      const float reach = std::tan(spec_.fov_degrees * static_cast<float>(M_PI) / 360);
+      const float steep =
+          1 / std::max(0.1f, Dot(ray.direction, camera.GenerateRay({0, 0}).direction));
+      const float tolerance =
+          (2e-5f + 10 * rounding * steep) * std::max(1.0f, 1 / reach) * std::max(1.0f, reach);
+      ASSERT_NEAR(connection->image_point.x, image_point.x, tolerance);
+      ASSERT_NEAR(connection->image_point.y, image_point.y, tolerance);
+    }
+  }
+}
+
+// The importance is that of a small part of the image plane: its area over the solid angle that its
+// rays through the same point of the lens cover, as a point at that distance is seen.
+TEST_P(EveryCamera, ImportanceIsTheJacobianOfItsRays) {
+  UniformNumbers random(8);
+  for (const PerspectiveCamera& camera : WithLenses(spec_)) {
+    for (int i = 0; i < 1000; ++i) {
+      const Vec2 at{2 * random.Next() - 1, 2 * random.Next() - 1};
+      const Vec2 u = random.NextPair();
+      constexpr float kStep = 0x1p-6f;
+      const auto direction = [&](float x, float y) {
+        return ToDouble(camera.GenerateRay({at.x + x, at.y + y}, u).direction);
+      };
+      // Central differences of two steps: what remains is of fourth order.
+      const auto slope = [&](float x, float y) {
+        const Vec3d near = direction(x, y) - direction(-x, -y);
+        const Vec3d far = direction(2 * x, 2 * y) - direction(-2 * x, -2 * y);
+        return (near * 8.0 - far) * (1 / (12.0 * static_cast<double>(kStep)));
+      };
+      const double solid_angle = Length(Cross(slope(kStep, 0), slope(0, kStep)));
+      const Ray ray = camera.GenerateRay(at, u);
+      const float distance = 0.5f + 5 * random.Next();
+      const auto connection = camera.Connect(ray.At(distance), u);
+      ASSERT_TRUE(connection);
+      const double expected = 1 / (solid_angle * static_cast<double>(distance) * distance);
+      // Points far from the origin are inexact, and wide pictures see that where they are
+      // stretched.
+      const float reach = std::tan(spec_.fov_degrees * static_cast<float>(M_PI) / 360);
+      const float rounding = Length(ray.At(distance)) * 1.2e-7f / distance;
+      ASSERT_NEAR(static_cast<double>(connection->importance) / expected, 1,
+                  0.002f + 5 * std::max(1.0f, reach) * rounding);
+    }
+  }
+}
+
+TEST_P(EveryCamera, NothingBehindItIsConnected) {
+  const Vec3 view = camera_.GenerateRay({0, 0}).direction;
+  for (const PerspectiveCamera& camera : WithLenses(spec_)) {
+    EXPECT_FALSE(camera.Connect(spec_.center - view, {0.5f, 0.5f}));
+    EXPECT_TRUE(camera.Connect(spec_.center + view, {0.5f, 0.5f}));
+  }
+  EXPECT_FALSE(camera_.Connect(spec_.center, {0.5f, 0.5f})) << "from where it stands";
 }
 
 }  // namespace

@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "geometry/spawn_ray.h"
+#include "lights/environment_light.h"
+#include "lights/even_sky_light.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -46,6 +51,99 @@ bool IsRadiance(const Spectrum& radiance) {
     if (!std::isfinite(radiance[c]) || radiance[c] < 0) return false;
   }
   return true;
+}
+
+/// What light from the sky has to cover.
+constexpr Ball kBall{{0, 0, 0}, 4};
+
+/// The mean flux of emission is the power, in one percent and by the error of the mean; and each
+/// sample is what the densities say of it.
+void ExpectPower(const Light& light) {
+  constexpr int kCount = 100000;
+  UniformNumbers random(9);
+  double sum = 0, squares = 0;
+  int edges = 0;
+  for (int i = 0; i < kCount; ++i) {
+    const Vec2 u_position = random.NextPair();
+    const Vec2 u_direction = random.NextPair();
+    const EmissionSample sample = light.SampleEmission(kBall, u_position, u_direction);
+    const double flux = static_cast<double>(MeanOf(sample.flux.ToRgb()));
+    sum += flux;
+    squares += flux * flux;
+    if (flux == 0) continue;
+    ASSERT_TRUE(IsRadiance(sample.flux));
+    ASSERT_NEAR(Length(sample.direction), 1, 1e-6);
+    const EmissionPdf pdf = light.PdfEmission(kBall, sample.origin, sample.direction);
+    ASSERT_NEAR(pdf.position / sample.pdf_position, 1, 1e-5);
+    // Where a grid of directions has an edge, rounding decides on the side.
+    if (std::abs(pdf.direction / sample.pdf_direction - 1) > 1e-3f) ++edges;
+    if (light.Kind() != LightKind::kSky && !light.Reach().is_far) continue;
+    ASSERT_GE(Length(sample.origin.p), kBall.radius * 0.999f) << "it starts within the scene";
+  }
+  const double mean = sum / kCount;
+  const double error = std::sqrt(std::max(0.0, squares / kCount - mean * mean) / kCount);
+  const double power = static_cast<double>(light.Power(kBall));
+  EXPECT_NEAR(mean, power, test::kLargestDeviate * error + 0.012 * power);
+  EXPECT_LT(error, 0.02 * power);
+  EXPECT_LT(edges, kCount / 1000);
+}
+
+/// Over the cells of a square below the light the flux of the rays that it sends out is the
+/// irradiance that it gives there, by each colour. A lamp may hide parts of itself.
+void ExpectSameLight(const Light& light, const Scene& scene) {
+  constexpr int kCount = 400000, kSide = 4;
+  constexpr float kHalf = 1.5f, kHeight = -2;
+  struct Cell {
+    double sent = 0, sent_squares = 0, arrived = 0, arrived_squares = 0;
+  };
+  Cell cells[kSide][kSide][3];
+  UniformNumbers random(10);
+  const auto cell_at = [&](Vec3 p) {
+    const auto index = [](float x) {
+      return static_cast<int>(std::floor((x / kHalf + 1) / 2 * kSide));
+    };
+    const int x = index(p.x), z = index(p.z);
+    return x >= 0 && x < kSide && z >= 0 && z < kSide ? cells[x][z] : nullptr;
+  };
+  const float area = 4 * kHalf * kHalf;
+  const bool may_hide = light.Kind() == LightKind::kSurface;
+  for (int i = 0; i < kCount; ++i) {
+    const Vec2 u_position = random.NextPair();
+    const Vec2 u_direction = random.NextPair();
+    const EmissionSample sent = light.SampleEmission(kBall, u_position, u_direction);
+    const float t = (kHeight - sent.origin.p.y) / sent.direction.y;
+    Ray leaving = SpawnRay(sent.origin, sent.direction);
+    leaving.t_max = t;
+    if (sent.direction.y < 0 && t > 0 && !(may_hide && scene.Occluded(leaving))) {
+      if (Cell* cell = cell_at(sent.origin.p + sent.direction * t)) {
+        for (int c = 0; c < 3; ++c) {
+          const double flux = static_cast<double>(sent.flux[c]) / kCount;
+          cell[c].sent += flux;
+          cell[c].sent_squares += flux * flux;
+        }
+      }
+    }
+    const Vec2 place = random.NextPair();
+    const Vec3 p{(2 * place.x - 1) * kHalf, kHeight, (2 * place.y - 1) * kHalf};
+    const LightSample seen = light.SampleIncident(p, random.NextPair());
+    if (seen.pdf == 0 || !(seen.direction.y > 0)) continue;
+    Cell* cell = cell_at(p);
+    for (int c = 0; c < 3 && cell; ++c) {
+      const float irradiance = seen.radiance[c] * seen.direction.y / seen.pdf;
+      const double flux = static_cast<double>(irradiance * area) / kCount;
+      cell[c].arrived += flux;
+      cell[c].arrived_squares += flux * flux;
+    }
+  }
+  for (const auto& row : cells) {
+    for (const auto& colours : row) {
+      for (const Cell& cell : colours) {
+        const double error = std::sqrt(cell.sent_squares + cell.arrived_squares);
+        EXPECT_LT(std::abs(cell.sent - cell.arrived), test::kLargestDeviate * error + 1e-5);
+        EXPECT_LE(error, 0.1 * cell.arrived);
+      }
+    }
+  }
 }
 
 class EveryDeltaLight : public testing::TestWithParam<LightEntry> {
@@ -189,6 +287,77 @@ TEST_P(EveryAreaLight, DirectionsFollowTheDensity) {
 
 TEST_P(EveryAreaLight, HasNoMiddle) {
   EXPECT_TRUE(light_.SampleIncident({3, 4, 5}).radiance.IsBlack());
+}
+
+// What holds for both: light that is sent out, and light that arrives, are the same light.
+
+class EveryLight : public testing::TestWithParam<LightEntry> {
+ protected:
+  const std::unique_ptr<const Scene> scene_ = SceneOfLight(GetParam().example);
+  const Light& light_ = *scene_->lights()[0];
+};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryLight,
+                         testing::ValuesIn(LightEntries().begin(), LightEntries().end()),
+                         contract::RowName<LightEntry>);
+
+TEST_P(EveryLight, SendsOutItsPower) {
+  ExpectPower(light_);
+}
+
+TEST_P(EveryLight, SendsOutTheLightThatArrives) {
+  ExpectSameLight(light_, *scene_);
+}
+
+// What is no row: surroundings, suns of an angle, lamps of other shapes and on one side.
+TEST(Emission, OfOtherLightsIsTheLightThatArrives) {
+  const char* lamps[] = {
+      "Component<Light> { type directional direction 0.3 -1 0.2 color 1 2 3 angle 40 }",
+      "Component<Object> { type sphere radius 0.5 } Component<Material> { index 0 } "
+      "Transform { translate 0.5 1 0 scale 1 0.5 2 } Component<Light> { type area radiance 2 3 4 }",
+      "Component<Object> { type rectangle width 1 height 2 } Component<Material> { index 0 } "
+      "Transform { translate 0.3 0.5 0 x_rotate 75 } Component<Light> { type area radiance 2 3 4 "
+      "two_sided false }",
+      "Component<Object> { type disk radius 0.7 } Component<Material> { index 0 } "
+      "Transform { translate 0.3 0.5 0 x_rotate -60 } Component<Light> { type area radiance 2 3 4 "
+      "}",
+      "Component<Light> { type spot direction 0.1 -1 0.1 angle 70 blend 0.8 attenuation 0.5 }"};
+  for (const char* lamp : lamps) {
+    SCOPED_TRACE(lamp);
+    const auto scene = testing_support::CompileText(
+        std::string(testing_support::kCamera) +
+        "Materials { Material { type diffuse albedo 1 1 1 } } Scene { Node { " + lamp + " } }");
+    ExpectPower(*scene->lights()[0]);
+    ExpectSameLight(*scene->lights()[0], *scene);
+  }
+}
+
+TEST(Emission, OfTheSkyIsTheLightThatArrives) {
+  const auto environment = testing_support::CompileText(
+      std::string(testing_support::kCamera) +
+      "Background { environment assets/environments/sky.hdr scale 2 rotate 70 } Scene { }");
+  const auto cube = testing_support::CompileText(
+      std::string(testing_support::kCamera) +
+      "Background { cube_map assets/assignment4/tex/rotunda } Scene { }");
+  const EnvironmentLight map(*environment->background().environment);
+  const EnvironmentLight faces(*cube->background().cube_map);
+  const EvenSkyLight even(Spectrum(Rgb{0.5f, 1, 2}));
+  for (const Light* sky : std::initializer_list<const Light*>{&map, &faces, &even}) {
+    ExpectPower(*sky);
+    ExpectSameLight(*sky, *cube);
+  }
+}
+
+// What no sampler draws is said to be so; the integrator asks.
+TEST(Emission, OfAPlaneIsFoundByHitsAlone) {
+  const auto plane = testing_support::CompileText(
+      std::string(testing_support::kCamera) +
+      "Materials { Material { type diffuse albedo 1 1 1 } } Scene { Component<Object> { type plane "
+      "normal 0 1 0 offset -1 } Component<Material> { index 0 } Component<Light> { type area "
+      "radiance 1 1 1 } }");
+  EXPECT_TRUE(plane->lights()[0]->IsFoundByHitsAlone());
+  EXPECT_TRUE(plane->lights()[0]->SampleEmission(kBall, {}, {}).flux.IsBlack());
+  EXPECT_FALSE(SceneOfLight("type area radiance 1 1 1")->lights()[0]->IsFoundByHitsAlone());
 }
 
 }  // namespace

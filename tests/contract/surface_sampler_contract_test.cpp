@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
+#include "geometry/spawn_ray.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -189,6 +191,84 @@ TEST_P(EverySampledShape, AreaIsWhatLinesFind) {
     EXPECT_NEAR(static_cast<double>(sampler.Area()), 2 * disk * mean,
                 2 * disk * test::kLargestDeviate * error);
     EXPECT_LT(error, 0.02 * mean);
+  });
+}
+
+/// Which eighth of a box a point lies in.
+size_t EighthOf(const Bounds3& box, Vec3 p) {
+  const Vec3 center = box.Center();
+  return size_t{p.x > center.x} + 2 * size_t{p.y > center.y} + 4 * size_t{p.z > center.z};
+}
+
+// Lines that cross a ball evenly cross each part of a surface as often as its area says (Crofton):
+// the areas of the eighths of the shape, by such lines and by the density of drawn points.
+TEST_P(EverySampledShape, PointsAreDrawnByTheirDensityOverArea) {
+  ForPlacements([this](const Scene& scene, const SurfaceSampler& sampler, const Bounds3& box) {
+    constexpr int kCount = 40000;
+    const double radius = static_cast<double>(Length(box.Extent())) * 0.51;
+    double by_lines[8] = {}, by_points[8] = {}, squares[8] = {};
+    for (int i = 0; i < kCount; ++i) {
+      const Frame frame = Frame::FromNormal(SampleUniformSphere(random_.NextPair()));
+      const Vec2 disk = SampleDisk(random_.NextPair());
+      const Vec3 beside = frame.x * disk.x + frame.y * disk.y + frame.z;
+      Ray ray(box.Center() + beside * static_cast<float>(radius), -frame.z);
+      for (HitRecord hit; scene.Intersect(ray, &hit); hit = HitRecord()) {
+        const SurfacePoint point = scene.SurfaceAt(ray, hit);
+        by_lines[EighthOf(box, point.p)] += 2 * kPi * radius * radius / kCount;
+        ray = SpawnRay(point, ray.direction);
+      }
+      const AreaSample sample = sampler.SampleArea(random_.NextPair());
+      ASSERT_GT(sample.pdf, 0.0f);
+      ASSERT_EQ(sampler.PdfArea(sample.point.n_geometric), sample.pdf);
+      const double area = 1 / (static_cast<double>(sample.pdf) * kCount);
+      by_points[EighthOf(box, sample.point.p)] += area;
+      squares[EighthOf(box, sample.point.p)] += area * area;
+    }
+    const double total = std::accumulate(by_points, by_points + 8, 0.0);
+    EXPECT_NEAR(total / sampler.Area(), 1, 0.012);
+    // Flat shapes lie in the middle of their box, where rounding decides.
+    const bool is_flat = sampler.FlatNormal() != Vec3();
+    if (is_flat) return;
+    for (int eighth = 0; eighth < 8; ++eighth) {
+      // A line that crosses a part twice counts as two that do not depend on each other.
+      const double of_one = 2 * kPi * radius * radius / kCount;
+      const double variance = 2 * by_lines[eighth] * of_one + squares[eighth];
+      EXPECT_LT(std::abs(by_lines[eighth] - by_points[eighth]),
+                test::kLargestDeviate * std::sqrt(variance))
+          << eighth;
+    }
+  });
+}
+
+// A drawn point lies on the surface, within its error, and a ray that leaves it does not meet it
+// again at once.
+TEST_P(EverySampledShape, PointsLieOnTheSurface) {
+  ForPlacements([this](const Scene& scene, const SurfaceSampler& sampler, const Bounds3& box) {
+    const float size = Length(box.Extent());
+    int met = 0;
+    for (int i = 0; i < 5000; ++i) {
+      const AreaSample sample = sampler.SampleArea(random_.NextPair());
+      const Vec3 n = sample.point.n_geometric;
+      ASSERT_NEAR(Length(n), 1, 1e-6);
+      // From a little above straight down onto it.
+      const Ray ray(sample.point.p + n * (0.01f * size), -n);
+      HitRecord hit;
+      if (!scene.Intersect(ray, &hit)) continue;  // At the very rim.
+      const SurfacePoint found = scene.SurfaceAt(ray, hit);
+      if (hit.t < 0.0099f * size) continue;  // Something of it lies above.
+      ++met;
+      ASSERT_LT(Length(found.p - sample.point.p), 2 * Length(sample.point.p_error) + 1e-5f * size);
+      ASSERT_GT(Dot(found.n_geometric, n), 0.99f) << "the normal is not on the side of the surface";
+      for (const Vec3 w : {n, -n}) {
+        HitRecord again;
+        const Ray leaving = SpawnRay(sample.point, w);
+        if (!scene.Intersect(leaving, &again)) continue;
+        const Vec3 other = scene.SurfaceAt(leaving, again).n_geometric;
+        if (std::abs(Dot(other, n)) < 0.99f) continue;  // Another face, at an edge.
+        ASSERT_GT(again.t, 1e-4f * size);
+      }
+    }
+    EXPECT_GT(met, 4000);
   });
 }
 

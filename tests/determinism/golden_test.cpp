@@ -57,7 +57,7 @@ std::string LinesOfCourseScenes() {
 
 std::string LinesOfRandomScenes() {
   std::string lines;
-  for (const char* integrator : {"whitted", "path"}) {
+  for (const char* integrator : {"whitted", "path", "light_trace"}) {
     for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
       const Subject subject = MakeSubject(integrator, seed);
       if (!subject.integrator) continue;
@@ -71,7 +71,7 @@ std::string LinesOfRandomScenes() {
 
 std::string LinesOfMeshScenes() {
   std::string lines;
-  for (const char* integrator : {"whitted", "path"}) {
+  for (const char* integrator : {"whitted", "path", "light_trace"}) {
     for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
       const Subject subject = MakeMeshSubject(integrator, seed);
       if (!subject.integrator) continue;

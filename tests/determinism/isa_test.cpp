@@ -83,7 +83,7 @@ TEST_P(InstructionSetOf, RandomMeshesChangesNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, InstructionSetOf, testing::Values("whitted", "path"),
+INSTANTIATE_TEST_SUITE_P(All, InstructionSetOf, testing::Values("whitted", "path", "light_trace"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "loaders/course/scene_parser.h"
-#include "tests/determinism/random_scene.h"
 
 namespace candela::determinism {
 namespace {
@@ -80,11 +79,9 @@ class MeshAdder {
 
 }  // namespace
 
-SceneSpec RandomMeshScene(uint32_t seed, bool is_diffuse) {
+SceneSpec RandomMeshScene(uint32_t seed, const std::string& rest) {
   Diagnostics diagnostics;
-  SceneSpec spec =
-      ParseScene(std::make_shared<const std::string>("text"),
-                 is_diffuse ? RandomDiffuseScene(seed) : RandomScene(seed), ".", &diagnostics);
+  SceneSpec spec = ParseScene(std::make_shared<const std::string>("text"), rest, ".", &diagnostics);
   EXPECT_FALSE(diagnostics.HasErrors());
   MeshAdder adder(seed, &spec);
   adder.AddMesh("once", 12, seed % 2 == 0);

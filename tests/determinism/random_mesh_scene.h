@@ -1,15 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "scene_spec/scene_spec.h"
 
 namespace candela::determinism {
 
-/// A random scene (see `RandomScene` and `RandomDiffuseScene`) with meshes in it: one that stands
-/// there once, a small one that several nodes have, and a large one that several nodes have; with
-/// and without normals of their own, turned, stretched, mirrored. The same for the same seed,
+/// A scene, given as text, with random meshes in it, which wear its first materials: one that
+/// stands there once, a small one that several nodes have, and a large one that several nodes have;
+/// with and without normals of their own, turned, stretched, mirrored. The same for the same seed,
 /// everywhere.
-SceneSpec RandomMeshScene(uint32_t seed, bool is_diffuse);
+SceneSpec RandomMeshScene(uint32_t seed, const std::string& rest);
 
 }  // namespace candela::determinism

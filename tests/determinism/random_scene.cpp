@@ -107,14 +107,16 @@ void AddFlatLamps(Writer* writer) {
 }
 
 /// Bodies that overlap, in glass that is clear or ground.
-void AddDrink(Writer* writer) {
+void AddDrink(Writer* writer, Paths paths) {
   const char* media[] = {"glass", "tea", "water"};
-  for (int i = 0; i < 3; ++i) {
+  for (uint32_t i = 0; i < 3; ++i) {
     writer->Add("Node {{ Transform {{ ");
     writer->AddVector("translate", -0.4, 0.4);
     writer->Add("}} Component<Object> {{ type sphere radius {:.3f} }} ", writer->Number(0.5, 1));
     writer->Add("Component<Material> {{ index 5 }} ");
-    writer->Add("Component<Interior> {{ medium {} priority {} }} }}\n", media[i], writer->Below(4));
+    const uint32_t drawn = writer->Below(4);
+    writer->Add("Component<Interior> {{ medium {} priority {} }} }}\n", media[i],
+                paths == Paths::kFromLights ? 4 * i + drawn + 1 : drawn);
   }
 }
 
@@ -154,7 +156,7 @@ std::string RandomScene(uint32_t seed) {
   return writer.TakeText();
 }
 
-std::string RandomDiffuseScene(uint32_t seed) {
+std::string RandomDiffuseScene(uint32_t seed, Paths paths) {
   Writer writer(seed);
   // Every kind of light and of surface that the path integrator knows, some in each scene.
   if (seed % 3 == 0) {
@@ -188,9 +190,15 @@ std::string RandomDiffuseScene(uint32_t seed) {
       "Material {{ name veil type mask material picture opacity 0.4 two_sided {} }}\n",
       seed % 2 == 0 ? "true" : "false");
   writer.Add("}}\nScene {{\n");
-  AddFloor(&writer);
+  if (paths == Paths::kFromCamera) {
+    AddFloor(&writer);
+  } else {
+    writer.Add(
+        "Node {{ Transform {{ translate 0 -2.5 0 x_rotate -85 }} Component<Material> {{ index 1 }} "
+        "Component<Object> {{ type rectangle width 14 height 14 }} }}\n");
+  }
   for (int i = 0; i < 6; ++i) AddNodes(&writer, kMaterials);
-  AddDrink(&writer);
+  AddDrink(&writer, paths);
   AddDirectionalLight(&writer, seed % 2 == 0 ? "angle 3" : "");
   AddFlatLamps(&writer);
   writer.Add(

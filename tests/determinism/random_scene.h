@@ -10,7 +10,12 @@ namespace candela::determinism {
 /// same text for the same seed, everywhere.
 std::string RandomScene(uint32_t seed);
 
-/// One that the path integrator takes: diffuse surfaces, a sphere that shines, a grey sky.
-std::string RandomDiffuseScene(uint32_t seed);
+/// Where those begin that an integrator follows. From lights they need a floor that ends, and
+/// bodies of different priorities where they overlap.
+enum class Paths { kFromCamera, kFromLights };
+
+/// One that integrators of light transport take: diffuse surfaces, a sphere that shines, a grey
+/// sky.
+std::string RandomDiffuseScene(uint32_t seed, Paths paths);
 
 }  // namespace candela::determinism

@@ -19,7 +19,7 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
   if (!subject.scene) return subject;
   IntegratorOptions options;
   options.shadows = true;
-  if (integrator != "path") options.bounces = 3;
+  if (integrator == "whitted") options.bounces = 3;
   auto created = CreateIntegrator(integrator, *subject.scene, options);
   if (!created) {
     ADD_FAILURE() << created.error().message;
@@ -29,17 +29,20 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
   return subject;
 }
 
+std::string TextFor(const std::string& integrator, uint32_t seed) {
+  if (integrator == "whitted") return RandomScene(seed);
+  return RandomDiffuseScene(seed, integrator == "path" ? Paths::kFromCamera : Paths::kFromLights);
+}
+
 }  // namespace
 
 Subject MakeSubject(const std::string& integrator, uint32_t seed) {
-  return WithIntegrator(integrator,
-                        testing_support::SceneOfText(integrator == "path" ? RandomDiffuseScene(seed)
-                                                                          : RandomScene(seed)));
+  return WithIntegrator(integrator, testing_support::SceneOfText(TextFor(integrator, seed)));
 }
 
 Subject MakeMeshSubject(const std::string& integrator, uint32_t seed) {
-  return WithIntegrator(integrator,
-                        testing_support::SceneOfSpec(RandomMeshScene(seed, integrator == "path")));
+  return WithIntegrator(
+      integrator, testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed))));
 }
 
 std::vector<Placement> Placements() {

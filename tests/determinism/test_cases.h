@@ -16,7 +16,7 @@ struct Subject {
   std::unique_ptr<Integrator> integrator;
 };
 
-/// `whitted` with shadows and three bounces, or `path`, on a random scene that it takes.
+/// `whitted` with shadows and three bounces, or one of the others, on a random scene that it takes.
 Subject MakeSubject(const std::string& integrator, uint32_t seed);
 
 /// The same on a random scene with meshes.

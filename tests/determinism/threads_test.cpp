@@ -44,7 +44,7 @@ TEST_P(Picture, IsTheSameForAnyThreadsAndTiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Picture,
-                         testing::Combine(testing::Values("whitted", "path"),
+                         testing::Combine(testing::Values("whitted", "path", "light_trace"),
                                           testing::ValuesIn(Placements())),
                          [](const auto& test) {
                            return std::get<0>(test.param) + ("_" + std::get<1>(test.param).name);

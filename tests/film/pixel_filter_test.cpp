@@ -79,6 +79,22 @@ TEST_P(EveryFilter, TransfersWavesAsItsProfileDoes) {
   }
 }
 
+// As the density of an infinite picture: what splats are weighed with is what samples are drawn by.
+TEST_P(EveryFilter, ValuesAreThoseOfTheProfile) {
+  const double r = static_cast<double>(entry_.radius);
+  const double integral = Integral(-r, r, [](double) { return 1.0; });
+  EXPECT_EQ(filter_.At({entry_.radius * 1.001f, 0}), 0.0f);
+  EXPECT_EQ(filter_.At({0, -entry_.radius * 1.001f}), 0.0f);
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 offset{entry_.radius * (static_cast<float>(i) / 200 - 1),
+                      entry_.radius * (static_cast<float>(i % 37) / 40)};
+    const double expected = entry_.profile(static_cast<double>(std::abs(offset.x))) *
+                            entry_.profile(static_cast<double>(std::abs(offset.y))) /
+                            (integral * integral);
+    EXPECT_NEAR(filter_.At(offset), expected, 2e-4) << offset.x << ' ' << offset.y;
+  }
+}
+
 // P1
 TEST_P(EveryFilter, PositionsFollowTheMagnitudeOfTheProfile) {
   constexpr size_t kSide = 32;

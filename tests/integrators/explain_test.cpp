@@ -89,9 +89,9 @@ TEST(IntegratorRegistry, ANameThatIsUnknownIsAnsweredWithTheNearestOne) {
   const auto integrator = CreateIntegrator("whited", *scene, {});
   ASSERT_FALSE(integrator.ok());
   EXPECT_EQ(integrator.error().code, ErrorCode::kUsage);
-  EXPECT_EQ(
-      integrator.error().message,
-      "there is no integrator 'whited' (did you mean 'whitted'?); known: 'whitted' or 'path'");
+  EXPECT_EQ(integrator.error().message,
+            "there is no integrator 'whited' (did you mean 'whitted'?); known: 'whitted', 'path' "
+            "or 'light_trace'");
 }
 
 }  // namespace

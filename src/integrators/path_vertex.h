@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "geometry/ray.h"
+#include "geometry/spawn_ray.h"
+#include "geometry/surface_point.h"
+#include "integrators/integrator.h"
+#include "integrators/medium_stack.h"
+#include "materials/bsdf.h"
+#include "materials/material.h"
+#include "math/vec.h"
+#include "scene/interior.h"
+
+namespace candela {
+
+// What paths from the camera and paths from lights have in common.
+
+inline constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
+
+/// What a surface does with a path; each has a limit of its own.
+enum BounceKind : uint8_t { kDiffuse, kMirror, kTransmission };
+
+inline BounceKind KindOf(bool is_delta, bool is_transmission) {
+  if (is_transmission) return kTransmission;
+  return is_delta ? kMirror : kDiffuse;
+}
+
+/// A surface that a path has met.
+struct PathVertex {
+  SurfacePoint point;
+  Vec3 wo;  ///< Unit vector to where the path comes from.
+  Bsdf bsdf;
+  const Material* material;
+  bool is_lifted = false;    ///< See `Scene::LiftOf`.
+  MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
+
+  /// Finds out what the surface does with light, once all else is known.
+  void Evaluate();
+};
+
+/// Sets what there is on both sides of the surface of a body, for light that is in the media
+/// `here`; false when the surface lies hidden in another body. Counts what had to be left out.
+bool FindMedia(std::span<const Interior> interiors, uint32_t interior, const MediumStack& here,
+               RayCounts* rays, PathVertex* vertex);
+
+/// Whether light that goes through stays on one side of the true surface, or light that is
+/// reflected goes through it. Where a shading normal says otherwise, light would leak.
+inline bool IsOnWrongSide(const PathVertex& vertex, Vec3 wi, bool is_transmission) {
+  const Vec3 n = vertex.point.n_geometric;
+  const bool is_one_side = Dot(n, vertex.wo) * Dot(n, wi) > 0;
+  // A lifted point is high enough for its own triangle to be in the way of what would leak.
+  if (vertex.is_lifted && !is_transmission) return false;
+  return is_one_side == is_transmission;
+}
+
+inline Ray LeavingRay(const PathVertex& vertex, Vec3 w) {
+  return SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
+}
+
+/// The ray that goes on as if the surface were not there.
+inline Ray PassOn(const PathVertex& vertex) {
+  Ray ray = SpawnRay(vertex.point, -vertex.wo);
+  ray.mask = kReflectionRay;
+  return ray;
+}
+
+}  // namespace candela

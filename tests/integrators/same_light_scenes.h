@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace candela::same_light {
+
+/// A small scene, in which some way to transport light is at work.
+struct NamedScene {
+  std::string name;
+  uint32_t effort;  ///< How many samples it takes to the same precision as the others.
+  std::string text;
+};
+
+/// Twenty of them: each kind of light, material and camera in one at least.
+std::vector<NamedScene> Scenes();
+
+inline void PrintTo(const NamedScene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+}  // namespace candela::same_light

@@ -21,7 +21,7 @@ class EnvironmentMap {
   /// by `rotate_degrees` about +y, counter-clockwise seen from above.
   EnvironmentMap(Image radiance, float scale, float rotate_degrees);
 
-  /// Reads an EXR, HDR, PFM or PNG picture, the last without gamma; alpha is not used, grey stands
+  /// Reads an EXR, HDR, PFM, PNG or JPEG picture, without gamma; alpha is not used, grey stands
   /// for all colours. A file that cannot be read is reported at `asked`, the place that asks for
   /// it, one with wrong content under its own name. Negative values become 0, with a warning.
   static std::optional<EnvironmentMap> Load(const std::filesystem::path& path,

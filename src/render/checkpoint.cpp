@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 #include <utility>
 
 // The functions themselves instead of a library that has to be found.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
+
+#include "base/text.h"
 
 namespace candela {
 namespace {
@@ -40,7 +44,8 @@ class Writer {
   std::string bytes_;
 };
 
-/// Reads them again. What lies beyond the end is 0; `IsComplete` tells afterwards.
+/// Reads them again. What lies beyond the end is 0, and numbers may be none that `Writer` writes;
+/// `IsSound` tells afterwards.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -53,9 +58,17 @@ class Reader {
     }
     return word;
   }
+  /// A word that holds a number of 32 bits.
+  uint32_t Half() {
+    const uint64_t word = Word();
+    if (word > std::numeric_limits<uint32_t>::max()) is_sound_ = false;
+    return static_cast<uint32_t>(word);
+  }
   ExactSum Sum() {
-    const uint64_t whole = Word();
-    return ExactSum::FromWords(whole, Word());
+    const uint64_t whole = Word(), fraction = Word();
+    const ExactSum sum = ExactSum::FromWords(whole, fraction);
+    if (sum.Words() != std::array{whole, fraction}) is_sound_ = false;
+    return sum;
   }
   std::string Text() { return std::string(Take(Word())); }
 
@@ -63,29 +76,26 @@ class Reader {
   size_t Count(size_t words) {
     const uint64_t count = Word();
     if (count <= bytes_.size() / (words * kWordBytes)) return count;
-    is_complete_ = false;
+    is_sound_ = false;
     return 0;
   }
-  /// Everything was there, and nothing is left.
-  bool IsComplete() const { return is_complete_ && bytes_.empty(); }
+  /// Everything was there and as it is written, and nothing is left.
+  bool IsSound() const { return is_sound_ && bytes_.empty(); }
 
  private:
   std::string_view Take(uint64_t size) {
-    if (size > bytes_.size()) is_complete_ = false;
+    if (size > bytes_.size()) is_sound_ = false;
     const std::string_view part = bytes_.substr(0, size);
     bytes_.remove_prefix(part.size());
     return part;
   }
 
   std::string_view bytes_;
-  bool is_complete_ = true;
+  bool is_sound_ = true;
 };
 
 uint64_t BitsOf(float value) {
   return std::bit_cast<uint32_t>(value);
-}
-float FloatOf(uint64_t bits) {
-  return std::bit_cast<float>(static_cast<uint32_t>(bits));
 }
 
 Error InputError(std::string message) {
@@ -95,14 +105,14 @@ Error InputError(std::string message) {
 Result<void> CheckOwner(const CheckpointOwner& found, const CheckpointOwner& expected) {
   if (found.version != expected.version) {
     return InputError(fmt::format("was made by version {}, this is {}; both may draw other samples",
-                                  found.version, expected.version));
+                                  EscapeControl(found.version), expected.version));
   }
   if (found.scene != expected.scene) {
     return InputError("belongs to another scene, or one of the scene's files has changed since");
   }
   if (found.options != expected.options) {
     return InputError(fmt::format("was made with other options, {}, where now there are {}",
-                                  found.options, expected.options));
+                                  EscapeControl(found.options), expected.options));
   }
   return {};
 }
@@ -114,7 +124,9 @@ constexpr size_t kDroppedWords = 6;
 
 std::string EncodeCheckpoint(const RenderJob& job, const CheckpointOwner& owner) {
   const std::span<const PixelSums> sums = job.film().Sums();
-  Writer file(kPixelWords * kWordBytes * sums.size() + (size_t{1} << 16));
+  // Room for everything: a file that grows takes twice its memory.
+  constexpr size_t kOthers = size_t{1} << 16;
+  Writer file(kWordBytes * (kPixelWords * sums.size() + job.TileSamples().size()) + kOthers);
   file.Put(owner.version);
   file.Put(owner.scene);
   file.Put(owner.options);
@@ -158,7 +170,7 @@ Result<void> DecodeCheckpoint(std::string_view bytes, const CheckpointOwner& own
 
   RenderState state;
   state.tile_samples.resize(file.Count(1));
-  for (uint32_t& samples : state.tile_samples) samples = static_cast<uint32_t>(file.Word());
+  for (uint32_t& samples : state.tile_samples) samples = file.Half();
   state.sums.resize(file.Count(kPixelWords));
   for (PixelSums& pixel : state.sums) {
     for (ExactSum* sum : {&pixel.red, &pixel.green, &pixel.blue, &pixel.weight}) {
@@ -168,16 +180,17 @@ Result<void> DecodeCheckpoint(std::string_view bytes, const CheckpointOwner& own
   const uint64_t dropped = file.Word();
   std::vector<DroppedSamples::Sample> first(file.Count(kDroppedWords));
   for (DroppedSamples::Sample& sample : first) {
-    sample.x = static_cast<int>(file.Word());
-    sample.y = static_cast<int>(file.Word());
-    sample.index = static_cast<uint32_t>(file.Word());
-    for (int i = 0; i < 3; ++i) sample.radiance[i] = FloatOf(file.Word());
+    sample.x = static_cast<int>(file.Half());
+    sample.y = static_cast<int>(file.Half());
+    sample.index = file.Half();
+    for (int i = 0; i < 3; ++i) sample.radiance[i] = std::bit_cast<float>(file.Half());
   }
+  if (first.size() > std::min<uint64_t>(dropped, DroppedSamples::kMostNamed)) return damaged;
   state.dropped = DroppedSamples(dropped, std::move(first));
   state.lost.samples = file.Word();
   state.lost.light = file.Sum();
   state.lost.lost = file.Sum();
-  if (!file.IsComplete() || !job->CanRestore(state)) return damaged;
+  if (!file.IsSound() || !job->CanRestore(state)) return damaged;
   const uint32_t most = *std::ranges::max_element(state.tile_samples);
   if (most > job->SamplesOfPixel()) {
     return InputError(

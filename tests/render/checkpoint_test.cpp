@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <atomic>
 #include <functional>
 #include <limits>
@@ -174,6 +177,36 @@ TEST(Checkpoint, TruncatedOrDamagedIsRefused) {
     damaged[i] = static_cast<char>(damaged[i] ^ 4);
     EXPECT_EQ(Refusal(damaged, kOwner), "is truncated or damaged") << i;
   }
+}
+
+/// With the checksum of its bytes at the end, as a file that somebody has made up.
+std::string WithChecksum(std::string bytes) {
+  bytes.resize(bytes.size() - 8);
+  const uint64_t sum = XXH3_64bits(bytes.data(), bytes.size());
+  for (int shift = 0; shift < 64; shift += 8) bytes.push_back(static_cast<char>(sum >> shift));
+  return bytes;
+}
+
+TEST(Checkpoint, NumbersThatAreNeverWrittenAreRefused) {
+  const std::string saved = SavedAfter(20);
+  ASSERT_EQ(WithChecksum(saved), saved);
+  constexpr size_t kMagicAndOwner = 21 + 3 * 8 + 3 + 5 + 7;
+  constexpr size_t kFirstTile = kMagicAndOwner + 8;
+  constexpr size_t kFirstSum = kFirstTile + 4 * 8 + 8;
+  // Samples beyond 32 bits, a fraction of a sum that is 1 and more, more tiles than fit in.
+  for (const size_t byte : {kFirstTile + 4, kFirstSum + 8 + 6, kMagicAndOwner + 5}) {
+    std::string changed = saved;
+    changed[byte] = 1;
+    EXPECT_EQ(Refusal(WithChecksum(changed), kOwner), "is truncated or damaged") << byte;
+  }
+}
+
+TEST(Checkpoint, WordsOfTheFileAreSafeToPrint) {
+  const NoisyIntegrator integrator;
+  const RenderOptions options = Options(20);
+  const RenderJob job(integrator, options, Film::Keep::kSums);
+  EXPECT_EQ(Refusal(EncodeCheckpoint(job, {"1\x1b[2J", "scene", "options"}), kOwner),
+            "was made by version 1\\x1b[2J, this is 1.0; both may draw other samples");
 }
 
 }  // namespace

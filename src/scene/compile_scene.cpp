@@ -62,7 +62,8 @@ class SceneCompiler {
   /// Of an object of the scene: what is of no use once that is compiled.
   struct Place {
     Mat4 world_from_object;
-    SourceLocation where;  ///< For messages about it.
+    SourceLocation where;   ///< For messages about its place,
+    SourceLocation object;  ///< and about itself.
   };
 
   /// The parameters of an object in the resolved description, to be filled; null without one.
@@ -202,7 +203,7 @@ class SceneCompiler {
     object.has_holes = made_of && made_of->HasHoles();
     scene_->has_holes_ |= object.has_holes;
     object.interior = InteriorOf(node, made_of.get());
-    places_.push_back({world_from_node, where});
+    places_.push_back({world_from_node, where, spec.where});
   }
 
   /// The index of what fills the node's object.
@@ -318,7 +319,7 @@ class SceneCompiler {
     }
     scene_->objects_.resize(left);
     places_.resize(left);
-    for (const Place& place : places_) scene_->object_places_.push_back(place.where);
+    for (const Place& place : places_) scene_->object_places_.push_back(place.object);
   }
 
   /// False when the object is to be left out.

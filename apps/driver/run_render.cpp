@@ -173,7 +173,7 @@ class RenderRun {
     auto done = Timed(&statistics_.seconds.render, [&] { return RunJob(hash, &job, &encoder); });
     if (!done) return done;
     statistics_.rays += job.Rays();
-    statistics_.dropped_samples = job.film().DroppedSamples() + job.DroppedSplats();
+    statistics_.dropped_samples = job.Dropped().Count() + job.DroppedSplats();
     PrintRenderNotes(request_.program, job);
     return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
   }

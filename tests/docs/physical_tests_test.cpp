@@ -123,10 +123,11 @@ TEST(PhysicalTests, EveryLawIsHeldByATest) {
 }
 
 TEST(PhysicalTests, NameNoLawThatIsNone) {
-  for (const auto& [id, places] : TestsById()) {
+  for (const auto& named : TestsById()) {
     const bool is_known = std::any_of(std::begin(kLaws), std::end(kLaws),
-                                      [&](const Law& law) { return law.id == id; });
-    EXPECT_TRUE(is_known) << places[0].file << ", " << places[0].test << ": " << id;
+                                      [&](const Law& law) { return law.id == named.first; });
+    const auto& place = named.second[0];
+    EXPECT_TRUE(is_known) << place.file << ", " << place.test << ": " << named.first;
   }
 }
 

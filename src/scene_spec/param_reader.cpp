@@ -126,7 +126,7 @@ std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_req
 }
 
 std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
-  return ReadEach(name, true, [&](const Param& param) -> std::optional<int64_t> {
+  const auto number = ReadEach(name, true, [&](const Param& param) -> std::optional<int64_t> {
     constexpr const char* kExpected = "a whole number";
     if (param.words.empty()) {
       shortages_.push_back({&param, kExpected});
@@ -143,6 +143,8 @@ std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
     }
     return value;
   });
+  if (number) Note(name, {{fmt::format("{}", *number), where_}});
+  return number;
 }
 
 std::optional<ParamWord> ParamReader::OneWord(const Param& param) {

@@ -20,10 +20,6 @@ bool IsUsable(Rgb radiance, bool takes_negative) {
          IsUsable(radiance.z, takes_negative);
 }
 
-size_t PixelCount(const PixelWindow& window) {
-  return static_cast<size_t>(window.Width()) * static_cast<size_t>(window.Height());
-}
-
 }  // namespace
 
 void PixelSums::Add(Rgb radiance, float sample_weight) {
@@ -40,10 +36,7 @@ Rgb PixelSums::Mean() const {
 }
 
 bool FilmTile::Add(int x, int y, Rgb radiance, float weight) {
-  if (!IsUsable(radiance, takes_negative_)) {
-    ++dropped_samples_;
-    return false;
-  }
+  if (!IsUsable(radiance, takes_negative_)) return false;
   sums_[IndexOf(x, y)].Add(radiance, weight);
   return true;
 }
@@ -52,29 +45,23 @@ Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers)
     : window_(window),
       takes_negative_(negative == Negative::kTake),
       recorded_(layers),
-      colours_(3 * PixelCount(window)) {
+      colours_(3 * window.PixelCount()) {
   CHECK(window.x0 < window.x1 && window.y0 < window.y1);
+  CHECK(keep == Keep::kColours || layers.IsEmpty());  // The sums that are kept hold no layers.
   for (size_t i = 0; i < kLayerCount; ++i) {
     if (!layers.Has(static_cast<Layer>(i))) continue;
-    layer_words_[i] = ZeroedArray<uint32_t>(Layers()[i].channels.size() * PixelCount(window));
+    layer_words_[i] = ZeroedArray<uint32_t>(Layers()[i].channels.size() * window.PixelCount());
   }
-  if (keep == Keep::kSums) sums_ = ZeroedArray<PixelSums>(PixelCount(window));
-}
-
-size_t Film::IndexOf(int x, int y) const {
-  DCHECK(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
-  return static_cast<size_t>(y - window_.y0) * static_cast<size_t>(window_.Width()) +
-         static_cast<size_t>(x - window_.x0);
+  if (keep == Keep::kSums) sums_ = ZeroedArray<PixelSums>(window.PixelCount());
 }
 
 void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
   CHECK(window_.Contains(window));
   tile->window_ = window;
-  tile->dropped_samples_ = 0;
   tile->takes_negative_ = takes_negative_;
-  tile->sums_.assign(PixelCount(window), PixelSums());
+  tile->sums_.assign(window.PixelCount(), PixelSums());
   tile->recorded_ = recorded_;
-  tile->layers_.assign(recorded_.IsEmpty() ? 0 : PixelCount(window), PixelLayers());
+  tile->layers_.assign(recorded_.IsEmpty() ? 0 : window.PixelCount(), PixelLayers());
   if (!sums_) return;
   const auto width = static_cast<size_t>(window.Width());
   for (int y = window.y0; y < window.y1; ++y) {
@@ -94,7 +81,6 @@ void Film::EndTile(const FilmTile& tile) {
       if (layers) DevelopLayers(index, *sums, *layers++);
     }
   }
-  dropped_samples_.fetch_add(tile.dropped_samples_, std::memory_order_relaxed);
 }
 
 void Film::DevelopColour(size_t index, const PixelSums& sums) {
@@ -106,11 +92,11 @@ void Film::DevelopColour(size_t index, const PixelSums& sums) {
 
 std::span<const PixelSums> Film::Sums() const {
   CHECK(sums_);
-  return {&sums_[0], PixelCount(window_)};
+  return {&sums_[0], window_.PixelCount()};
 }
 
 void Film::Restore(std::span<const PixelSums> sums) {
-  CHECK(sums_ && sums.size() == PixelCount(window_));
+  CHECK(sums_ && sums.size() == window_.PixelCount());
   for (size_t i = 0; i < sums.size(); ++i) {
     sums_[i] = sums[i];
     DevelopColour(i, sums[i]);
@@ -127,10 +113,7 @@ void Film::DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers&
 
 bool Film::SetOnlySample(int x, int y, Rgb radiance) {
   DCHECK(!sums_ && recorded_.IsEmpty());
-  if (!IsUsable(radiance, takes_negative_)) {
-    dropped_samples_.fetch_add(1, std::memory_order_relaxed);
-    return false;
-  }
+  if (!IsUsable(radiance, takes_negative_)) return false;
   // 0, and floats from 2^-20 on, are multiples of what a sum resolves.
   const auto developed = [](float value) {
     const bool is_exact = value == 0 || (value >= 0x1p-20f && value <= ExactSum::kLargestTerm);
@@ -158,7 +141,7 @@ Rgb Film::Pixel(int x, int y) const {
 std::span<const uint32_t> Film::LayerWords(Layer layer) const {
   const auto i = static_cast<size_t>(layer);
   CHECK(layer_words_[i]);
-  return {&layer_words_[i][0], Layers()[i].channels.size() * PixelCount(window_)};
+  return {&layer_words_[i][0], Layers()[i].channels.size() * window_.PixelCount()};
 }
 
 std::span<const float> Film::Row(int y) const {

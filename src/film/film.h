@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -9,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/check.h"
 #include "film/layers.h"
 #include "math/exact_sum.h"
 #include "math/spectrum.h"
@@ -21,6 +21,12 @@ struct PixelWindow {
 
   int Width() const { return x1 - x0; }
   int Height() const { return y1 - y0; }
+  size_t PixelCount() const { return static_cast<size_t>(Width()) * static_cast<size_t>(Height()); }
+  /// The place of one of its pixels, counted row by row.
+  size_t IndexOf(int x, int y) const {
+    DCHECK(x >= x0 && x < x1 && y >= y0 && y < y1);
+    return static_cast<size_t>(y - y0) * static_cast<size_t>(Width()) + static_cast<size_t>(x - x0);
+  }
   bool Contains(const PixelWindow& other) const {
     return other.x0 >= x0 && other.y0 >= y0 && other.x1 <= x1 && other.y1 <= y1;
   }
@@ -64,8 +70,8 @@ struct PixelSums {
 class FilmTile {
  public:
   /// Adds a sample of the pixel (x, y) of the whole picture, which must lie in the tile's window. A
-  /// radiance that the film does not take (see `Film`) is dropped, weight included, and counted;
-  /// then the answer is false.
+  /// radiance that the film does not take (see `Film`) is dropped, weight included; then the
+  /// answer is false.
   bool Add(int x, int y, Rgb radiance, float weight);
 
   /// Adds to the film's layers what else belongs to a sample that `Add` has taken; see
@@ -82,18 +88,13 @@ class FilmTile {
  private:
   friend class Film;
 
-  size_t IndexOf(int x, int y) const {
-    DCHECK(x >= window_.x0 && x < window_.x1 && y >= window_.y0 && y < window_.y1);
-    return static_cast<size_t>(y - window_.y0) * static_cast<size_t>(window_.Width()) +
-           static_cast<size_t>(x - window_.x0);
-  }
+  size_t IndexOf(int x, int y) const { return window_.IndexOf(x, y); }
 
   PixelWindow window_;
   std::vector<PixelSums> sums_;
   LayerSet recorded_;
   std::vector<PixelLayers> layers_;  ///< Empty for a film without layers.
   bool takes_negative_ = true;
-  uint64_t dropped_samples_ = 0;
 };
 
 /// The picture under construction: the developed colour of every pixel of a window and, when it is
@@ -152,11 +153,8 @@ class Film {
   /// The values of a layer that is recorded, as `LayerEntry::develop` gives them, row after row.
   std::span<const uint32_t> LayerWords(Layer layer) const;
 
-  /// How many samples were dropped so far.
-  uint64_t DroppedSamples() const { return dropped_samples_.load(std::memory_order_relaxed); }
-
  private:
-  size_t IndexOf(int x, int y) const;
+  size_t IndexOf(int x, int y) const { return window_.IndexOf(x, y); }
   void DevelopColour(size_t index, const PixelSums& sums);
   void DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers& layers);
 
@@ -166,7 +164,6 @@ class Film {
   ZeroedArray<float> colours_;
   ZeroedArray<PixelSums> sums_;                                 ///< null for `Keep::kColours`
   std::array<ZeroedArray<uint32_t>, kLayerCount> layer_words_;  ///< null for those not recorded
-  std::atomic<uint64_t> dropped_samples_{0};
 };
 
 }  // namespace candela

@@ -24,6 +24,9 @@ class SplatFilm {
   /// NaN or infinite component is dropped and counted. May be called concurrently.
   void Add(int x, int y, Rgb value);
 
+  /// Counts one that its maker does not take. May be called concurrently.
+  void Drop() { dropped_.fetch_add(1, std::memory_order_relaxed); }
+
   /// The sum of a pixel over `paths`, above 0. Not while others add.
   Rgb Mean(int x, int y, uint64_t paths) const;
 
@@ -33,8 +36,6 @@ class SplatFilm {
   struct Sums {
     ExactSum red, green, blue;
   };
-
-  size_t IndexOf(int x, int y) const;
 
   PixelWindow window_;
   ZeroedArray<Sums> sums_;

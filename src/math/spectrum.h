@@ -37,6 +37,9 @@ struct Spectrum {
   }
 
   constexpr bool IsBlack() const { return c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0; }
+  constexpr float LeastComponent() const {
+    return std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
+  }
   constexpr float MaxComponent() const {
     return std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
   }

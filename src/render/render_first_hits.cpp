@@ -10,12 +10,12 @@ namespace candela {
 std::vector<FirstHit> RenderFirstHits(const Scene& scene, const RenderOptions& options) {
   const SamplePlacer placer(options);
   const PixelWindow& crop = options.crop;
-  std::vector<FirstHit> map(PixelCount(crop));
+  std::vector<FirstHit> map(crop.PixelCount());
   const Tiles tiles(crop, static_cast<int>(options.tile_size));
   ParallelFor(tiles.Count(), [&](int64_t tile) {
     const PixelWindow window = tiles.Window(tile);
     std::vector<Vec2> image_points;
-    image_points.reserve(PixelCount(window));
+    image_points.reserve(window.PixelCount());
     ForEachPixel(window, [&](int x, int y) {
       image_points.push_back(placer.Centre(x, y).image_point);
       return true;

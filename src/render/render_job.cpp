@@ -170,11 +170,11 @@ RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options,
 
 uint64_t RenderJob::LightPaths() const {
   if (!splats_) return 0;
-  return PixelCount({0, 0, options_.width, options_.height}) * options_.samples;
+  return PixelWindow{0, 0, options_.width, options_.height}.PixelCount() * options_.samples;
 }
 
 uint64_t RenderJob::SamplesTotal() const {
-  return PixelCount(options_.crop) * options_.samples + LightPaths();
+  return options_.crop.PixelCount() * options_.samples + LightPaths();
 }
 
 void RenderJob::TraceLightPaths(const Workers& workers, const CancelToken& cancel) {
@@ -192,7 +192,7 @@ void RenderJob::TraceLightPaths(const Workers& workers, const CancelToken& cance
 
 bool RenderJob::CanRestore(const RenderState& state) const {
   return state.tile_samples.size() == tile_samples_.size() &&
-         state.sums.size() == PixelCount(options_.crop);
+         state.sums.size() == options_.crop.PixelCount();
 }
 
 void RenderJob::Restore(const RenderState& state) {
@@ -208,7 +208,7 @@ uint64_t RenderJob::SamplesInFilm() const {
   const Tiles tiles(options_.crop, options_.tile_size);
   uint64_t sum = 0;
   for (int64_t i = 0; i < tiles.Count(); ++i) {
-    sum += PixelCount(tiles.Window(i)) * tile_samples_[static_cast<size_t>(i)];
+    sum += tiles.Window(i).PixelCount() * tile_samples_[static_cast<size_t>(i)];
   }
   return sum;
 }
@@ -222,7 +222,9 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
   // All of them come first: a pixel is done when its tile is.
   TraceLightPaths(workers, cancel);
   const uint32_t step = film_.KeepsSums() ? kSamplesOfPass : options_.samples;
-  uint32_t end = 0;
+  // Passes that all tiles have been through are not made again.
+  const uint32_t least = *std::min_element(tile_samples_.begin(), tile_samples_.end());
+  uint32_t end = std::min(least, options_.samples - 1) / step * step;
   while (end < options_.samples) {
     end += std::min(step, options_.samples - end);
     const bool is_last = end == options_.samples;
@@ -263,7 +265,7 @@ uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrat
     const uint64_t channels = Layers()[i].channels.size();
     if (options.layers.Has(static_cast<Layer>(i))) per_pixel += 8 * channels;
   }
-  const uint64_t pixels = PixelCount(options.crop);
+  const uint64_t pixels = options.crop.PixelCount();
   const uint64_t most = std::numeric_limits<uint64_t>::max();
   return pixels > most / per_pixel ? most : pixels * per_pixel;
 }

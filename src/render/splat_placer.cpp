@@ -28,7 +28,8 @@ Pixels PixelsAround(float position, float radius, int begin, int end) {
 
 SplatPlacer::SplatPlacer(const RenderOptions& options)
     : plane_(options.width, options.height, options.grid, options.stretch),
-      pattern_(options.pattern) {
+      pattern_(options.pattern),
+      takes_negative_(!options.drops_negative) {
   if (pattern_ != SamplePattern::kFilter) return;
   const PixelFilterEntry* entry = FindPixelFilter(options.filter);
   CHECK(entry);
@@ -44,6 +45,11 @@ float SplatPlacer::WeightAt(Vec2 offset) const {
 }
 
 void SplatPlacer::Add(const Splat& splat, SplatFilm* film) const {
+  // As for samples, before the weights of the filter, which may be negative.
+  if (!takes_negative_ && splat.radiance.LeastComponent() < 0) {
+    film->Drop();
+    return;
+  }
   const Vec2 position = plane_.PositionOf(splat.image_point);
   const PixelWindow& window = film->Window();
   const Pixels columns = PixelsAround(position.x, radius_, window.x0, window.x1);

@@ -16,7 +16,8 @@ class SplatPlacer {
  public:
   explicit SplatPlacer(const RenderOptions& options);
 
-  /// Pixels outside of the film get nothing. May be called concurrently.
+  /// Pixels outside of the film get nothing. A splat that `RenderOptions::drops_negative` leaves
+  /// out is counted by the film as dropped. May be called concurrently.
   void Add(const Splat& splat, SplatFilm* film) const;
 
  private:
@@ -24,6 +25,7 @@ class SplatPlacer {
 
   ImagePlane plane_;
   SamplePattern pattern_;
+  bool takes_negative_;
   std::optional<PixelFilter> filter_;
   float radius_ = 0.5f;
 };

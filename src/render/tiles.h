@@ -7,10 +7,6 @@
 
 namespace candela {
 
-inline uint64_t PixelCount(const PixelWindow& window) {
-  return static_cast<uint64_t>(window.Width()) * static_cast<uint64_t>(window.Height());
-}
-
 /// Cuts a window into square tiles, row after row; those at the right and lower edge may be
 /// smaller.
 class Tiles {

@@ -128,7 +128,7 @@ std::vector<float> Render(const Integrator& integrator, int threads) {
   options.tile_size = 8;
   RenderJob job(integrator, options);
   EXPECT_TRUE(job.Run(CancelToken()).ok());
-  EXPECT_EQ(job.film().DroppedSamples(), 0u);
+  EXPECT_EQ(job.Dropped().Count(), 0u);
   std::vector<float> values;
   for (int y = 0; y < options.height; ++y) {
     values.insert(values.end(), job.film().Row(y).begin(), job.film().Row(y).end());

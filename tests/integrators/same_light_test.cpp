@@ -89,7 +89,7 @@ Runs Render(uint32_t first_seed, uint32_t samples, MakeIntegrator make) {
     options.seed = seed;
     RenderJob job(*integrator, options);
     EXPECT_TRUE(job.Run(CancelToken()).ok());
-    EXPECT_EQ(job.film().DroppedSamples() + job.DroppedSplats(), 0u);
+    EXPECT_EQ(job.Dropped().Count() + job.DroppedSplats(), 0u);
     for (int y = 0; y < kSide; ++y) {
       for (int x = 0; x < kSide; ++x) {
         const Rgb colour = job.film().Pixel(x, y);

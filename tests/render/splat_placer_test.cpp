@@ -64,6 +64,24 @@ TEST(SplatPlacer, LeavesOutWhatFallsBeside) {
   EXPECT_EQ(film.DroppedSplats(), 0u);
 }
 
+TEST(SplatPlacer, DropsNegativeLightWhereItIsAMistake) {
+  RenderOptions options = Picture(SamplePattern::kFilter, "mitchell");
+  const ImagePlane plane(options.width, options.height, options.grid, options.stretch);
+  Splat negative = UnitAt(plane, 5, 7, {0, 0});
+  negative.radiance *= Spectrum(-1);
+  for (const bool drops : {false, true}) {
+    options.drops_negative = drops;
+    SplatFilm film(options.crop);
+    const SplatPlacer placer(options);
+    placer.Add(negative, &film);
+    EXPECT_NEAR(Sum(film), drops ? 0 : -1, 1e-4);
+    EXPECT_EQ(film.DroppedSplats(), drops ? 1u : 0u);
+    // The weights of the filter are no mistake.
+    placer.Add(UnitAt(plane, 5, 7, {0.4f, 0}), &film);
+    EXPECT_EQ(film.DroppedSplats(), drops ? 1u : 0u);
+  }
+}
+
 // Where splats cover the image plane evenly every pixel gets the same, whatever the filter: the
 // integral of each is 1, and no splat is lost between pixels.
 TEST(SplatPlacer, OfAnEvenLightMakesAnEvenPicture) {

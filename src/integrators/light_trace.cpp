@@ -9,6 +9,7 @@
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
 #include "integrators/medium_stack.h"
+#include "integrators/path_lights.h"
 #include "integrators/path_queue.h"
 #include "integrators/path_state.h"
 #include "integrators/path_vertex.h"
@@ -42,8 +43,7 @@ SamplerType TypeForOnePixel(SamplerType type) {
 
 /// Null when the sky is black.
 std::unique_ptr<const Light> SkyOf(const Background& background) {
-  if (background.environment) return std::make_unique<EnvironmentLight>(*background.environment);
-  if (background.cube_map) return std::make_unique<EnvironmentLight>(*background.cube_map);
+  if (auto environment = EnvironmentOf(background)) return environment;
   if (background.color == Rgb()) return nullptr;
   return std::make_unique<EvenSkyLight>(Spectrum(background.color));
 }
@@ -94,8 +94,7 @@ struct LightTraceIntegrator::Path {
   Spectrum flux;                      ///< What the light has sent out,
   Spectrum throughput = Spectrum(1);  ///< and the part of its power that is left.
   MediumStack media;                  ///< What it is in.
-  uint32_t bounces = 0;               ///< So far; holes that it has gone through do not count.
-  std::array<uint16_t, 3> bounces_of_kind{};
+  BounceCounts bounces;
 };
 
 /// What is known of paths that are followed together.
@@ -113,10 +112,7 @@ LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorO
       ball_(BallAround(scene.Bounds())),
       sky_(SkyOf(scene.background())),
       has_media_(HasMedia(scene)),
-      bounces_(options.bounces.value_or(kUnlimited)),
-      bounces_of_kind_{options.diffuse_bounces.value_or(kUnlimited),
-                       options.mirror_bounces.value_or(kUnlimited),
-                       options.transmission_bounces.value_or(kUnlimited)},
+      limits_(options),
       seed_(options.seed),
       sampler_(TypeForOnePixel(options.sampler)) {
   std::vector<double> powers;
@@ -180,7 +176,7 @@ void LightTraceIntegrator::Trace(std::span<const SampleRequest> samples, Workspa
 
 void LightTraceIntegrator::TraceLightPaths(uint64_t first, uint64_t count, Workspace* workspace,
                                            std::vector<Splat>* splats) const {
-  if (!choice_ || bounces_ == 0) return;
+  if (!choice_ || limits_.all == 0) return;
   Batch* batch = static_cast<Batch*>(workspace);
   PathQueue<Path>& paths = batch->paths;
   for (uint64_t begin = 0; begin < count; begin += kMostTogether) {
@@ -213,7 +209,7 @@ bool LightTraceIntegrator::Emit(Path* path, Ray* ray) const {
   *ray = SpawnRay(sample.origin, sample.direction);
   ray->mask = kReflectionRay;
   // A path from the camera knows them from the surfaces that it has come through.
-  if (has_media_) path->media = MediaAround(scene_, ray->origin, Bodies::kAll);
+  if (has_media_) path->media = MediaAround(scene_, ray->origin);
   return true;
 }
 
@@ -271,7 +267,7 @@ void LightTraceIntegrator::Connect(const Path& path, uint32_t step, const PathVe
   const float cosine = Dot(from_camera.bsdf.frame.z, wi);
   const bool is_transmission = cosine < 0;
   const BounceKind kind = KindOf(false, is_transmission);
-  if (path.bounces_of_kind[kind] >= bounces_of_kind_[kind]) return;
+  if (!limits_.Allow(path.bounces, kind)) return;
   if (IsOnWrongSide(from_camera, wi, is_transmission)) return;
   Spectrum value = Eval(from_camera.bsdf, wo, wi);
   if (value.IsBlack()) return;
@@ -317,9 +313,10 @@ bool LightTraceIntegrator::Scatter(uint32_t step, const PathVertex& vertex, Path
     *ray = PassOn(vertex);
     return true;
   }
-  if (path->bounces + 1 >= bounces_) return false;  // What it would meet could not be connected.
+  if (path->bounces.all + 1 >= limits_.all)
+    return false;  // What it would meet could not be connected.
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
-  if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
+  if (!limits_.Allow(path->bounces, kind)) return false;
   const SurfacePoint& point = vertex.point;
   if (IsOnWrongSide(vertex, next.wi, next.is_transmission)) return false;
   const Vec3 n = vertex.bsdf.frame.z;
@@ -332,15 +329,12 @@ bool LightTraceIntegrator::Scatter(uint32_t step, const PathVertex& vertex, Path
   if (next.enters) path->media = vertex.media_beyond;
 
   // What carries little of the power ends often, and counts for more when it does not.
-  if (path->bounces >= kRouletteAfter) {
+  if (path->bounces.all >= kRouletteAfter) {
     const float survival = std::min(0.95f, path->throughput.MaxComponent());
     if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }
-  ++path->bounces;
-  if (path->bounces_of_kind[kind] < std::numeric_limits<uint16_t>::max()) {
-    ++path->bounces_of_kind[kind];
-  }
+  path->bounces.Add(kind);
   *ray = LeavingRay(vertex, next.wi);
   ray->mask = kReflectionRay;
   return true;

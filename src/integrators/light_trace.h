@@ -70,8 +70,7 @@ class LightTraceIntegrator final : public Integrator {
   std::vector<float> probabilities_;  ///< Of their choice, by power.
   std::optional<AliasTable> choice_;
   bool has_media_;  ///< Whether it counts in which bodies light is.
-  uint32_t bounces_;
-  std::array<uint32_t, 3> bounces_of_kind_;
+  BounceLimits limits_;
   uint32_t seed_;
   SamplerType sampler_;
 };

@@ -1,7 +1,6 @@
 #include "integrators/medium_stack.h"
 
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include "geometry/spawn_ray.h"
@@ -9,31 +8,30 @@
 namespace candela {
 namespace {
 
-/// The surface of a body along a line.
-struct Crossing {
-  uint32_t interior;
-  bool is_exit;
-};
-
-/// The first surface of each body on the way, in their order.
-std::vector<Crossing> FirstCrossings(const Scene& scene, Vec3 from, Vec3 direction, Bodies bodies) {
+/// The bodies that a ray leaves without having entered them, in this order: those around its
+/// origin. Several may have the same interior.
+std::vector<uint32_t> BodiesLeft(const Scene& scene, Vec3 from, Vec3 direction) {
   constexpr int kFarEnough = 100000;  // Surfaces: a line through a fractal has an end, too.
-  std::vector<Crossing> crossings;
-  std::set<uint32_t> met;
+  std::vector<uint32_t> left, entered;
   Ray ray(from, direction);
   for (int i = 0; i < kFarEnough; ++i) {
     HitRecord hit;
     if (!scene.Intersect(ray, &hit)) break;
     const SurfacePoint point = scene.SurfaceAt(ray, hit);
     const uint32_t interior = scene.objects()[hit.object].interior;
-    const bool counts = interior != SceneObject::kNoInterior &&
-                        (bodies == Bodies::kAll || scene.interiors()[interior].is_explicit);
-    if (counts && met.insert(interior).second) {
-      crossings.push_back({interior, Dot(point.OutwardNormal(), direction) > 0});
+    if (interior != SceneObject::kNoInterior) {
+      const auto same = std::find(entered.begin(), entered.end(), interior);
+      if (Dot(point.OutwardNormal(), direction) <= 0) {
+        entered.push_back(interior);
+      } else if (same != entered.end()) {
+        entered.erase(same);
+      } else {
+        left.push_back(interior);
+      }
     }
     ray = SpawnRay(point, direction);
   }
-  return crossings;
+  return left;
 }
 
 }  // namespace
@@ -63,7 +61,7 @@ bool MediumStack::Hides(std::span<const Interior> interiors, uint32_t interior, 
   if (!Contains(interior)) return interiors[top].priority >= interiors[interior].priority;
   MediumStack rest = *this;
   rest.Leave(interior);
-  return top != interior || rest.Contains(interior);
+  return top != interior || (!rest.IsEmpty() && rest.Top(interiors) == interior);
 }
 
 bool MediumStack::Contains(uint32_t interior) const {
@@ -71,27 +69,21 @@ bool MediumStack::Contains(uint32_t interior) const {
          entered_.begin() + count_;
 }
 
-MediumStack MediaAround(const Scene& scene, Vec3 p, Bodies bodies) {
+MediumStack MediaAround(const Scene& scene, Vec3 p) {
   MediumStack media;
   if (scene.interiors().empty()) return media;
   // Any direction does that is not along the usual walls.
   const Vec3 direction = Normalize(Vec3{0.36f, 0.51f, 0.78f});
-  const auto ahead = FirstCrossings(scene, p, direction, bodies);
-  const auto behind = FirstCrossings(scene, p, -direction, bodies);
-  const auto is_entered = [](const std::vector<Crossing>& crossings, uint32_t interior) {
-    for (const Crossing& each : crossings) {
-      if (each.interior == interior) return !each.is_exit;
-    }
-    return false;
-  };
+  const std::vector<uint32_t> ahead = BodiesLeft(scene, p, direction);
+  // A closed body is left both ways; one without end, like the water under a plane, only by one.
+  std::vector<uint32_t> behind = BodiesLeft(scene, p, -direction);
+  for (const uint32_t interior : ahead) {
+    const auto same = std::find(behind.begin(), behind.end(), interior);
+    if (same != behind.end()) behind.erase(same);
+  }
   // What light leaves last it has entered first.
-  for (const auto* way : {&behind, &ahead}) {
-    for (size_t i = way->size(); i-- > 0;) {
-      const auto& [interior, is_exit] = (*way)[i];
-      const auto& other = way == &ahead ? behind : ahead;
-      if (!is_exit || is_entered(other, interior) || media.Contains(interior)) continue;
-      media.Enter(interior);
-    }
+  for (const auto& way : {behind, ahead}) {
+    std::for_each(way.rbegin(), way.rend(), [&](uint32_t interior) { media.Enter(interior); });
   }
   return media;
 }

@@ -49,13 +49,7 @@ class MediumStack {
   uint32_t count_ = 0;
 };
 
-/// Which bodies `MediaAround` looks for.
-enum class Bodies {
-  kFilled,  ///< Those that a scene says are filled with something,
-  kAll,     ///< and also those of which only the material does.
-};
-
 /// The bodies around a point, found by the surfaces that are met along a line through it.
-MediumStack MediaAround(const Scene& scene, Vec3 p, Bodies bodies);
+MediumStack MediaAround(const Scene& scene, Vec3 p);
 
 }  // namespace candela

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "geometry/spawn_ray.h"
@@ -44,12 +43,8 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                                const PathTechniques& techniques)
     : scene_(scene),
       lights_(scene, techniques),
-      media_at_camera_(
-          MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin, Bodies::kFilled)),
-      bounces_(options.bounces.value_or(kUnlimited)),
-      bounces_of_kind_{options.diffuse_bounces.value_or(kUnlimited),
-                       options.mirror_bounces.value_or(kUnlimited),
-                       options.transmission_bounces.value_or(kUnlimited)},
+      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
+      limits_(options),
       seed_(options.seed),
       sampler_(options.sampler),
       has_roulette_(techniques.roulette),
@@ -117,7 +112,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (!hit.IsHit()) {
       Spectrum light = lights_.FromSky(path, ray.direction);
       light *= EndlessTransmittance(path.media.Absorption(scene_.interiors()));
-      output.Add(path.sample, path.bounces, path.throughput * light);
+      output.Add(path.sample, path.bounces.all, path.throughput * light);
       continue;
     }
     if (!path.media.IsEmpty()) {
@@ -131,21 +126,22 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
       output.Add(
-          path.sample, path.bounces,
+          path.sample, path.bounces.all,
           path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
     }
     if (object.interior != SceneObject::kNoInterior &&
         !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {
       path.media = vertex.media_beyond;
-      path.pdf = 0;  // Rays to sampled lights do not pass.
+      path.pdf = 0;  // Rays to sampled lights do not pass: a body has no holes.
       paths.states()[left] = path;
       paths.rays()[left] = PassOn(vertex);
       ++left;
       continue;
     }
     vertex.material = &scene_.material(hit);
-    const bool is_last = path.bounces == bounces_;
-    const bool is_recorded = step == 0 && output.HasLayers();
+    const bool is_last = !limits_.Allow(path.bounces);
+    const bool is_recorded = !path.has_met_surface && output.HasLayers();
+    path.has_met_surface = true;
     if (is_last && !vertex.material->HasHoles() && !is_recorded) continue;
 
     vertex.Evaluate();
@@ -183,7 +179,7 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
   const float cosine = Dot(bsdf.frame.z, wi);
   const bool is_transmission = cosine < 0;
   const BounceKind kind = KindOf(false, is_transmission);
-  if (path.bounces_of_kind[kind] >= bounces_of_kind_[kind]) return;
+  if (!limits_.Allow(path.bounces, kind)) return;
   if (IsOnWrongSide(vertex, wi, is_transmission)) return;
   const BsdfValue scattered =
       draw.is_found_too ? EvalWithPdf(bsdf, wo, wi) : BsdfValue{Eval(bsdf, wo, wi), 0};
@@ -201,7 +197,7 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
   ray.mask = kShadowRay;
   batch->shadow_rays.push_back(ray);
   batch->contributions.push_back(
-      {path.sample, path.bounces + 1, path.throughput * scattered.value * arriving});
+      {path.sample, path.bounces.all + 1, path.throughput * scattered.value * arriving});
 }
 
 void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) const {
@@ -238,9 +234,9 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
     return true;
   }
   if (beyond_light_paths_ && step == 0 && !next.is_delta) return false;
-  if (path->bounces == bounces_) return false;
+  if (!limits_.Allow(path->bounces)) return false;
   const BounceKind kind = KindOf(next.is_delta, next.is_transmission);
-  if (path->bounces_of_kind[kind] >= bounces_of_kind_[kind]) return false;
+  if (!limits_.Allow(path->bounces, kind)) return false;
   if (IsOnWrongSide(vertex, next.wi, next.is_transmission)) return false;
   path->throughput *= next.weight;
   if (path->throughput.IsBlack()) return false;
@@ -248,17 +244,14 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.
-  if (has_roulette_ && path->bounces >= kRouletteAfter) {
+  if (has_roulette_ && path->bounces.all >= kRouletteAfter) {
     const float share = path->throughput.MaxComponent() * path->eta_squared;
-    const float most = path->bounces < kUncertainAfter ? 1 : 0.95f;
+    const float most = path->bounces.all < kUncertainAfter ? 1 : 0.95f;
     const float survival = std::min(most, kSurvivalOfShare * share);
     if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }
-  ++path->bounces;
-  if (path->bounces_of_kind[kind] < std::numeric_limits<uint16_t>::max()) {
-    ++path->bounces_of_kind[kind];
-  }
+  path->bounces.Add(kind);
   path->pdf = next.is_delta ? 0 : next.pdf;
   if (!next.is_delta) path->cone.Scatter(next.pdf);
   path->p = vertex.point.p;

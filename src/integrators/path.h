@@ -56,8 +56,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   PathLights lights_;
   MediumStack media_at_camera_;
-  uint32_t bounces_;
-  std::array<uint32_t, 3> bounces_of_kind_;
+  BounceLimits limits_;
   uint32_t seed_;
   SamplerType sampler_;
   bool has_roulette_, has_lift_, beyond_light_paths_;

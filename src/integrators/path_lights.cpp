@@ -13,14 +13,6 @@ std::vector<const Light*> LightsOf(const Scene& scene, const EnvironmentLight* e
   return lights;
 }
 
-std::unique_ptr<const EnvironmentLight> EnvironmentOf(const Background& background) {
-  if (background.environment) return std::make_unique<EnvironmentLight>(*background.environment);
-  if (background.cube_map) return std::make_unique<EnvironmentLight>(*background.cube_map);
-  // Of a sky that is the same everywhere no direction is better than another: the surface's own
-  // choice is the best there is.
-  return nullptr;
-}
-
 /// Those to choose from when a light is to be sampled: the others are found by rays alone.
 std::vector<const Light*> OnlyPoints(std::vector<const Light*> lights) {
   struct Dark final : Light {
@@ -47,6 +39,12 @@ float SizeOf(const Scene& scene) {
 }
 
 }  // namespace
+
+std::unique_ptr<const EnvironmentLight> EnvironmentOf(const Background& background) {
+  if (background.environment) return std::make_unique<EnvironmentLight>(*background.environment);
+  if (background.cube_map) return std::make_unique<EnvironmentLight>(*background.cube_map);
+  return nullptr;
+}
 
 PathLights::PathLights(const Scene& scene, const PathTechniques& techniques)
     : scene_(scene),

@@ -14,6 +14,11 @@
 
 namespace candela {
 
+/// The picture of the surroundings as a light, which refers to it. Null where they are the same
+/// everywhere: no direction to such a sky is better than another, and the surface's own choice is
+/// the best there is.
+std::unique_ptr<const EnvironmentLight> EnvironmentOf(const Background& background);
+
 /// The light of a scene as paths get it: a light is chosen and sampled from a surface, or a ray
 /// finds it, and where both can happen each is weighed against the other: Veach, "Optimally
 /// Combining Sampling Techniques for Monte Carlo Rendering", 1995. Holds its scene by reference.

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "integrators/medium_stack.h"
+#include "integrators/path_vertex.h"
 #include "integrators/ray_cone.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -31,8 +31,8 @@ struct PathState {
   /// What brings `throughput`, which is about radiance, to a share of power: the square of the
   /// refractive index.
   float eta_squared = 1;
-  uint32_t bounces = 0;  ///< So far; holes that it has gone through do not count.
-  std::array<uint16_t, 3> bounces_of_kind{};
+  BounceCounts bounces;
+  bool has_met_surface = false;  ///< One that does not lie hidden in a body.
   /// The density with which the last surface has drawn the ray, over solid angle; 0 when a sampled
   /// light could not have done it: from the camera and from mirrors. Holes on the way change
   /// nothing: rays to sampled lights pass them, too.

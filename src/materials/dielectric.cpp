@@ -44,6 +44,10 @@ DielectricMaterial::DielectricMaterial(const Medium& medium, Roughness roughness
 void DielectricMaterial::AddTables(float index_a, float index_b) {
   const float eta = index_b / index_a;
   if (std::abs(eta - 1) < kLeastContrast) return;
+  const bool is_there = std::any_of(tables_.begin(), tables_.end(), [&](const Tables& tables) {
+    return std::minmax(tables.index_a, tables.index_b) == std::minmax(index_a, index_b);
+  });
+  if (is_there) return;
   tables_.push_back({index_a, index_b, EnergyOf(eta, roughness_), EnergyOf(1 / eta, roughness_)});
 }
 

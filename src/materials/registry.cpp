@@ -45,6 +45,11 @@ std::unique_ptr<Material> CreateMaterial(const TypedSpec& spec, const MaterialCo
   auto material = OneSidedMaterial::Applied(entry->create(&params, context), &params);
   material = ReliefMaterial::Applied(std::move(material), &params, context);
   params.Finish();
+  if (material && material->Body() && material->HasHoles()) {
+    params.Error(spec.where,
+                 "a surface that lets light into a body cannot have holes: light that went through "
+                 "one would be inside without having entered");
+  }
   return material;
 }
 

@@ -156,5 +156,21 @@ TEST(PathLayers, TextureCoordinatesAreThereWithoutATexture) {
   EXPECT_NEAR(seen.layers[0].surface.uv.y, 0.375f, 1e-6);
 }
 
+// The first surface that is there: water that lies inside of glass is not.
+TEST(PathLayers, AreOfTheFirstSurfaceThatIsNotHidden) {
+  const auto scene = CompileText(
+      std::string(kCamera) +
+      "Media { Medium { name water ior 1.333 } }\n"
+      "Materials { Material { name clear type dielectric } }\n"
+      "Scene {\n"
+      "Node { Transform { translate 0 0 -4 } Component<Object> { type sphere radius 1 }\n"
+      "  Component<Material> { name clear } Component<Interior> { medium water priority 1 } }\n"
+      "Node { Component<Object> { type sphere radius 20 }\n"
+      "  Component<Material> { name clear } Component<Interior> { medium glass priority 2 } } }");
+  const Recorded seen = Record("path", *scene, {{0, 0, 0, {0, 0}}}, Bounces(4));
+  EXPECT_EQ(seen.layers[0].surface.object, 2u);
+  EXPECT_NEAR(seen.layers[0].surface.depth, 20, 1e-4);
+}
+
 }  // namespace
 }  // namespace candela

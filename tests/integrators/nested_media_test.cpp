@@ -142,6 +142,20 @@ TEST(NestedMedia, ABubbleTakesTheMediumAway) {
   EXPECT_NEAR(Seen(text, {}, 2, 16).mean, std::exp(-0.5 * 2), 1e-5);
 }
 
+// The same medium again inside of what is inside of it has a surface of its own, both ways.
+TEST(NestedMedia, ADropletInADropHasItsSurface) {
+  const std::string text =
+      Before(kTinted,
+             Body("sphere radius 2", "half", 0) + Body("sphere radius 1", "fifth", 0) +
+                 Body("sphere radius 0.5", "half", 0),
+             0, 1);
+  IntegratorOptions options;
+  options.bounces = 6;
+  ExpectEstimate(Seen(text, options), std::exp(-0.5 * 3 - 0.2 * 1));
+  options.bounces = 5;
+  EXPECT_EQ(Seen(text, options, 2, 16).mean, 0);
+}
+
 // Two spheres whose parts have the same interior are one body.
 TEST(NestedMedia, PartsOfOneBodyHaveNoSurfaceBetweenThem) {
   const std::string text =
@@ -162,6 +176,11 @@ TEST(NestedMedia, TheCameraMayBeInOne) {
   EXPECT_NEAR(
       Seen(Before(kTinted, Body("plane normal 0 1 0 offset 1", "fifth", 0), 0, 1), {}, 2, 16).mean,
       std::exp(-0.2 * 8), 1e-5);
+  // In two parts of one body, which ends where the second of them does.
+  const std::string parts =
+      Body("sphere radius 1.5", "half", 0, "clear", "Transform { translate 0 0 4.5 }") +
+      Body("sphere radius 1.5", "half", 0, "clear", "Transform { translate 0 0 5.5 }");
+  EXPECT_NEAR(Seen(Before(kTinted, parts, 0, 1), {}, 2, 16).mean, std::exp(-0.5 * 2), 1e-5);
 }
 
 // P4: what absorbs nothing is invisible where light comes from everywhere.

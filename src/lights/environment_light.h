@@ -33,8 +33,10 @@ class EnvironmentLight final : public Light {
   /// The means of cells times the solid angles of their rows, in place.
   std::span<const float> WeighBySolidAngle(std::span<float> means, size_t columns);
   Spectrum Radiance(Vec3 direction) const;
-  /// How often a direction of emission is drawn from the whole sphere, whatever the grid says.
-  float EvenShare() const { return cube_map_ ? 0.125f : 0; }
+  /// How often a direction of emission is drawn from the whole sphere, whatever the grid says: that
+  /// does not know what lies between its points, or beside something much brighter. Paths from the
+  /// camera find such light by rays.
+  float EvenShare() const { return cube_map_ ? 0.125f : 0.03f; }
 
   const EnvironmentMap* map_ = nullptr;
   const CubeMap* cube_map_ = nullptr;

@@ -33,8 +33,11 @@ double AngleOf(double x0, double x1, double y0, double y1, double z) {
   if (!(largest > 0)) return 0;
   const float angle =
       Atan2(static_cast<float>(sum.im / largest), static_cast<float>(sum.re / largest));
-  // From 0 to a full turn; just below 0 it is 0, by rounding.
-  return angle >= 0 ? angle : angle < -1e-3f ? angle + 2 * kPi : 0;
+  if (angle >= 0) return angle;
+  // Over the rectangle itself it is above half a turn; seen from elsewhere just below 0 is 0, by
+  // rounding.
+  const bool is_over_it = x0 < 0 && x1 > 0 && y0 < 0 && y1 > 0;
+  return is_over_it ? angle + 2 * kPi : 0;
 }
 
 Vec3d AlongSides(Vec3d corner, Vec3d x, Vec3d y) {

@@ -17,8 +17,6 @@ class SphericalRectangle {
 
   /// In steradian, from 0 to 2 pi.
   double SolidAngle() const { return solid_angle_; }
-  /// How far the origin is from the plane of the rectangle.
-  double Height() const { return -z_; }
 
   /// Where on the rectangle the direction leads to, as parts of the sides in [0, 1]; for a solid
   /// angle above 0.

@@ -30,6 +30,7 @@ class DiskSampler final : public SurfaceSampler {
     if (IsInPlane(from, ToFloat(center_), n_, size_)) return {};
     if (!IsNear(from)) return SampleByArea(from, PointAt(SampleDisk(u)), n_, area_);
     const SphericalRectangle seen = SquareSeenFrom(from);
+    if (!(seen.SolidAngle() > kLeastAngle)) return {};
     const Vec2 place = seen.Sample(u);
     const Vec2 on_disk{2 * place.x - 1, 2 * place.y - 1};
     if (on_disk.x * on_disk.x + on_disk.y * on_disk.y > 1) return {};  // In a corner.
@@ -40,8 +41,9 @@ class DiskSampler final : public SurfaceSampler {
 
   float Pdf(Vec3 from, Vec3 p, Vec3) const override {
     if (IsInPlane(from, ToFloat(center_), n_, size_)) return 0;
-    if (IsNear(from)) return static_cast<float>(SquareSeenFrom(from).Pdf());
-    return PdfByArea(from, p, n_, area_);
+    if (!IsNear(from)) return PdfByArea(from, p, n_, area_);
+    const SphericalRectangle seen = SquareSeenFrom(from);
+    return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
   AreaSample SampleArea(Vec2 u) const override {
@@ -53,6 +55,9 @@ class DiskSampler final : public SurfaceSampler {
   uint64_t MemoryBytes() const override { return sizeof *this; }
 
  private:
+  /// So little is seen edge-on; rays find it.
+  static constexpr double kLeastAngle = 1e-6;
+
   bool IsNear(Vec3 from) const { return is_right_angled_ && !IsFar(from, ToFloat(center_), size_); }
   SphericalRectangle SquareSeenFrom(Vec3 from) const {
     return {center_ - radius_x_ - radius_y_ - ToDouble(from), radius_x_ * 2.0, radius_y_ * 2.0};

@@ -104,7 +104,7 @@ Vec3 Mesh::LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const {
   Vec3 lift{};
   for (size_t k = 0; k < 3; ++k) {
     if (!HasNormal(hit.primitive, k)) return {};
-    const Vec3 n = Normalize(normals_[normal_corners_[hit.primitive][k]]) * side;
+    const Vec3 n = NormalizeAnyLength(normals_[normal_corners_[hit.primitive][k]]) * side;
     const float height = Dot(p - positions_[corners[k]], n);
     if (!(height <= 0)) return {};
     lift += n * (-height * weights[k]);

@@ -108,6 +108,17 @@ TEST(DiskLight, FromVeryNearFillsTheSkyWithoutNoise) {
   ExpectIrradiance(lamp.light(), {0.3f, 0.2f, 0}, kUp, UnderADisk(3, 1, 0.01, std::sqrt(0.13)));
 }
 
+TEST(FlatLights, NearlyTouchedFillTheSky) {
+  for (const double height : {1e-3, 1e-4}) {
+    SCOPED_TRACE(height);
+    const Mat4 place = Mat4::Translate({0, 0, height});
+    const Lamp disk(std::make_unique<Disk>(1.0f), 3, place);
+    ExpectIrradiance(disk.light(), {0.3f, 0.2f, 0}, kUp, 3 * kPi);
+    const Lamp rectangle(std::make_unique<Rectangle>(2.0f, 1.0f), 3, place);
+    ExpectIrradiance(rectangle.light(), {0.3f, 0.2f, 0}, kUp, 3 * kPi);
+  }
+}
+
 // CF8: a point under one corner of an a x b rectangle at height h, A = a/h, B = b/h:
 // E = (L / 2) [A / sqrt(1 + A^2) atan(B / sqrt(1 + A^2)) + B / sqrt(1 + B^2) atan(A / sqrt(1 +
 // B^2))].

@@ -5,6 +5,10 @@ set_target_properties(candela_flags PROPERTIES EXPORT_NAME flags)
 target_compile_features(candela_flags INTERFACE cxx_std_20)
 # Contraction would make results depend on the compiler; see docs/architecture.md, section 5.
 target_compile_options(candela_flags INTERFACE -ffp-contract=off)
+# These change no result: nobody asks for errno or for floating-point exceptions, and nobody replaces a
+# function of the libraries at run time.
+target_compile_options(candela_flags INTERFACE
+  -fno-math-errno -fno-trapping-math -fno-semantic-interposition)
 # GCC 12 drops the rounding to float of two neighbouring numbers that go from double to float and back
 # when it turns straight code into vector code. tests/math holds the case.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -56,12 +56,8 @@ Spectrum EvalOrenNayar(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   const float missing_o = std::max(0.0f, 1 - OrenNayarAlbedo(wo.z, roughness));
   const float missing_i = std::max(0.0f, 1 - OrenNayarAlbedo(wi.z, roughness));
   const float multiple = missing_o * missing_i * kInvPi / std::max(1 - mean, 1e-7f);
-  Spectrum value;
-  for (size_t c = 0; c < 4; ++c) {
-    const float rho = lobe.weight.c[c];
-    value.c[c] = rho * single + rho * rho * mean / (1 - rho * (1 - mean)) * multiple;
-  }
-  return value;
+  const Spectrum rho = lobe.weight;
+  return rho * single + rho * rho * mean / (Spectrum(1) - rho * (1 - mean)) * multiple;
 }
 
 LobeSample SampleLambert(const Lobe& lobe, Vec2 u) {

@@ -30,12 +30,8 @@ Spectrum BaseAlbedo(const Lobe& lobe) {
   const PlasticParams& plastic = lobe.plastic;
   const float let_in = 1 - plastic.mean_share;
   const float r = 1 - let_in / (plastic.eta * plastic.eta);
-  Spectrum albedo;
-  for (size_t c = 0; c < 4; ++c) {
-    const float rho = lobe.weight.c[c];
-    albedo.c[c] = rho * (1 - r) / (1 - rho * r);
-  }
-  return albedo;
+  const Spectrum rho = lobe.weight;
+  return rho * (1 - r) / (Spectrum(1) - rho * r);
 }
 
 Spectrum EvalBase(const Lobe& lobe, Vec3 wo, Vec3 wi) {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
 #include "math/vec.h"
 
@@ -12,37 +11,52 @@ using Rgb = Vec3;
 
 /// Radiance, intensity or reflectance as light transport carries it: four numbers, of which a
 /// colour uses the first three. (A spectral mode would use all four as wavelengths.)
-struct Spectrum {
-  std::array<float, 4> c{};
+class Spectrum {
+  /// One register: compilers take four numbers in an array through memory, which stalls.
+  using Lanes [[gnu::vector_size(16)]] = float;
 
+ public:
   constexpr Spectrum() = default;
-  explicit constexpr Spectrum(float value) : c{value, value, value, value} {}
-  explicit constexpr Spectrum(Rgb rgb) : c{rgb.x, rgb.y, rgb.z, 0} {}
+  explicit constexpr Spectrum(float value) : lanes_{value, value, value, value} {}
+  explicit constexpr Spectrum(Rgb rgb) : lanes_{rgb.x, rgb.y, rgb.z, 0} {}
 
-  constexpr float operator[](int i) const { return c[static_cast<size_t>(i)]; }
-  constexpr Rgb ToRgb() const { return {c[0], c[1], c[2]}; }
+  float operator[](int i) const { return lanes_[i]; }
+  Rgb ToRgb() const { return {lanes_[0], lanes_[1], lanes_[2]}; }
 
-  friend constexpr bool operator==(const Spectrum&, const Spectrum&) = default;
-  friend constexpr Spectrum operator+(Spectrum a, const Spectrum& b) { return a += b; }
-  friend constexpr Spectrum operator*(Spectrum a, const Spectrum& b) { return a *= b; }
-  friend constexpr Spectrum operator*(Spectrum a, float s) { return a *= Spectrum(s); }
-  friend constexpr Spectrum operator*(float s, Spectrum a) { return a *= Spectrum(s); }
-  constexpr Spectrum& operator+=(const Spectrum& b) {
-    for (size_t i = 0; i < 4; ++i) c[i] += b.c[i];
+  friend bool operator==(Spectrum a, Spectrum b) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2] && a[3] == b[3];
+  }
+  friend Spectrum operator+(Spectrum a, Spectrum b) { return a += b; }
+  friend Spectrum operator-(Spectrum a, Spectrum b) {
+    a.lanes_ -= b.lanes_;
+    return a;
+  }
+  friend Spectrum operator*(Spectrum a, Spectrum b) { return a *= b; }
+  friend Spectrum operator/(Spectrum a, Spectrum b) {
+    a.lanes_ /= b.lanes_;
+    return a;
+  }
+  friend Spectrum operator*(Spectrum a, float s) { return a *= Spectrum(s); }
+  friend Spectrum operator*(float s, Spectrum a) { return a *= Spectrum(s); }
+  Spectrum& operator+=(Spectrum b) {
+    lanes_ += b.lanes_;
     return *this;
   }
-  constexpr Spectrum& operator*=(const Spectrum& b) {
-    for (size_t i = 0; i < 4; ++i) c[i] *= b.c[i];
+  Spectrum& operator*=(Spectrum b) {
+    lanes_ *= b.lanes_;
     return *this;
   }
 
-  constexpr bool IsBlack() const { return c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0; }
-  constexpr float LeastComponent() const {
-    return std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
+  bool IsBlack() const { return *this == Spectrum(); }
+  float LeastComponent() const {
+    return std::min(std::min(lanes_[0], lanes_[1]), std::min(lanes_[2], lanes_[3]));
   }
-  constexpr float MaxComponent() const {
-    return std::max(std::max(c[0], c[1]), std::max(c[2], c[3]));
+  float MaxComponent() const {
+    return std::max(std::max(lanes_[0], lanes_[1]), std::max(lanes_[2], lanes_[3]));
   }
+
+ private:
+  Lanes lanes_{};
 };
 
 }  // namespace candela

@@ -31,12 +31,17 @@ uint64_t Mix(uint64_t hash, uint64_t value) {
   return Mix(hash ^ (value + 0x9e3779b97f4a7c15u));
 }
 
+/// The bits of each byte, from the other end.
+template <class Word>
+Word ReverseBitsOfBytes(Word x) {
+  constexpr Word kOnes = ~Word{0};
+  x = ((x >> 4) & (kOnes / 17)) | ((x & (kOnes / 17)) << 4);
+  x = ((x >> 2) & (kOnes / 5)) | ((x & (kOnes / 5)) << 2);
+  return ((x >> 1) & (kOnes / 3)) | ((x & (kOnes / 3)) << 1);
+}
+
 uint32_t ReverseBits(uint32_t x) {
-  x = (x >> 16) | (x << 16);
-  x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
-  x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
-  x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
-  return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
+  return ReverseBitsOfBytes(__builtin_bswap32(x));
 }
 
 /// A random permutation in which each bit depends only on the bits below it: Owen's scrambling of
@@ -64,6 +69,13 @@ uint32_t PascalMatrix(uint32_t index) {
   return index;
 }
 
+uint32_t LowHalf(uint64_t x) {
+  return static_cast<uint32_t>(x);
+}
+uint32_t HighHalf(uint64_t x) {
+  return static_cast<uint32_t>(x >> 32);
+}
+
 float ToUnitInterval(uint32_t bits) {
   return static_cast<float>(bits >> 8) * 0x1p-24f;
 }
@@ -73,9 +85,19 @@ float ScrambledPoint(uint32_t digits, uint32_t seed) {
   return ToUnitInterval(ReverseBits(ScrambleUpwards(digits, seed)));
 }
 
-/// Permutes the samples of a sequence such that aligned blocks of 2^k stay together.
-uint32_t Shuffle(uint32_t index, uint32_t seed) {
-  return ReverseBits(ScrambleUpwards(ReverseBits(index), seed));
+/// Two of them.
+Vec2 ScrambledPoints(uint32_t digits_x, uint32_t seed_x, uint32_t digits_y, uint32_t seed_y) {
+  const uint64_t both =
+      (uint64_t{ScrambleUpwards(digits_x, seed_x)} << 32) | ScrambleUpwards(digits_y, seed_y);
+  // All bytes swapped, x is the low half.
+  const uint64_t reversed = ReverseBitsOfBytes(__builtin_bswap64(both));
+  return {ToUnitInterval(LowHalf(reversed)), ToUnitInterval(HighHalf(reversed))};
+}
+
+/// Permutes the samples of a sequence such that aligned blocks of 2^k stay together. The index is
+/// given with its bits reversed.
+uint32_t Shuffle(uint32_t reversed_index, uint32_t seed) {
+  return ReverseBits(ScrambleUpwards(reversed_index, seed));
 }
 
 /// The place of i among a random permutation of 0 to count - 1, where count is a power of two up to
@@ -116,13 +138,6 @@ uint32_t ZOrder(uint32_t x, uint32_t y) {
   return SpreadBits(x) | (SpreadBits(y) << 1);
 }
 
-uint32_t LowHalf(uint64_t x) {
-  return static_cast<uint32_t>(x);
-}
-uint32_t HighHalf(uint64_t x) {
-  return static_cast<uint32_t>(x >> 32);
-}
-
 }  // namespace
 
 SamplerType::SamplerType(SamplerKind sampler, uint32_t samples) : kind(sampler) {
@@ -144,6 +159,7 @@ Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sam
     : pixel_hash_(Mix(Mix(seed), (uint64_t{pixel_y} << 32) | pixel_x)),
       sample_index_(sample_index),
       kind_(type.kind) {
+  if (kind_ == SamplerKind::kSobol) sample_index_ = ReverseBits(sample_index);
   if (kind_ != SamplerKind::kBlueNoise) return;
   // One Sobol sequence for a square of pixels, as large as 32 bits let it be. The samples of a
   // pixel, of 2 x 2 pixels, and so on, are runs of it, and as even as such.
@@ -152,8 +168,8 @@ Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sam
   const uint32_t in_square = (uint32_t{1} << square_bits) - 1;
   const uint32_t in_block = (uint32_t{1} << bits) - 1;
   pixel_hash_ = Mix(Mix(Mix(seed), (uint64_t{square_y} << 32) | square_x), sample_index >> bits);
-  sample_index_ =
-      (ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) | (sample_index & in_block);
+  sample_index_ = ReverseBits((ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) |
+                              (sample_index & in_block));
   kind_ = SamplerKind::kSobol;
 }
 
@@ -194,8 +210,7 @@ Vec2 Sampler::Get2D(uint32_t dimension) const {
   }
   if (kind_ == SamplerKind::kStratified) return Stratified2D(hash);
   const uint32_t index = Shuffle(sample_index_, LowHalf(hash));
-  return {ScrambledPoint(index, HighHalf(hash)),
-          ScrambledPoint(PascalMatrix(index), LowHalf(Mix(hash)))};
+  return ScrambledPoints(index, HighHalf(hash), PascalMatrix(index), LowHalf(Mix(hash)));
 }
 
 }  // namespace candela

@@ -87,7 +87,7 @@ class Sampler {
   Vec2 Stratified2D(uint64_t hash) const;
 
   uint64_t pixel_hash_;
-  uint32_t sample_index_;
+  uint32_t sample_index_;  ///< For Sobol points with its bits reversed, as these want it.
   SamplerKind kind_;
 };
 

@@ -60,7 +60,6 @@ void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
   tile->window_ = window;
   tile->takes_negative_ = takes_negative_;
   tile->sums_.assign(window.PixelCount(), PixelSums());
-  tile->recorded_ = recorded_;
   tile->layers_.assign(recorded_.IsEmpty() ? 0 : window.PixelCount(), PixelLayers());
   if (!sums_) return;
   const auto width = static_cast<size_t>(window.Width());

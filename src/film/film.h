@@ -77,7 +77,7 @@ class FilmTile {
   /// Adds to the film's layers what else belongs to a sample that `Add` has taken; see
   /// `PixelLayers::Add`.
   void AddLayers(int x, int y, const SampleLayers& sample, Rgb radiance, float weight) {
-    layers_[IndexOf(x, y)].Add(recorded_, sample, radiance, weight);
+    layers_[IndexOf(x, y)].Add(sample, radiance, weight);
   }
 
   /// What layers say of a pixel apart from its light; there have to be some.
@@ -92,7 +92,6 @@ class FilmTile {
 
   PixelWindow window_;
   std::vector<PixelSums> sums_;
-  LayerSet recorded_;
   std::vector<PixelLayers> layers_;  ///< Empty for a film without layers.
   bool takes_negative_ = true;
 };

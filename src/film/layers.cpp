@@ -9,27 +9,23 @@
 namespace candela {
 namespace {
 
-constexpr LayerSet kLightLayers{{Layer::kDirect, Layer::kIndirect, Layer::kEmission}};
-
 // What compositors that others write for take for nothing: far away, but a number that can be
 // shown. Infinity spoils every filter that it gets into.
 constexpr float kDepthOfNothing = 1e10f;
 
-void AddTo(std::array<ExactSum, 3>* sums, Rgb value) {
-  if (value == Rgb()) return;  // Most samples have no light of one kind or another.
-  // What is recorded may be infinite or no number where the radiance is neither: a colour of 0 can
-  // hide it.
-  const auto finite = [](float x) { return x == x ? x : 0; };
-  (*sums)[0].Add(finite(value.x));
-  (*sums)[1].Add(finite(value.y));
-  (*sums)[2].Add(finite(value.z));
+/// What is recorded may be infinite or no number where the radiance is neither: a colour of 0 can
+/// hide it. Then it counts as the largest term of the colours, or as nothing.
+Vec3d Usable(Rgb value) {
+  const auto usable = [](float x) {
+    const float limited = std::clamp(x, -ExactSum::kLargestTerm, ExactSum::kLargestTerm);
+    return double{limited == limited ? limited : 0};
+  };
+  return {usable(value.x), usable(value.y), usable(value.z)};
 }
 
-Rgb MeanOf(const std::array<ExactSum, 3>& sums, const PixelSums& pixel) {
+Rgb MeanOf(Vec3d sum, const PixelSums& pixel) {
   const double divisor = pixel.weight.ToDouble();
-  if (divisor == 0) return {};
-  return ToFloat(
-      {sums[0].ToDouble() / divisor, sums[1].ToDouble() / divisor, sums[2].ToDouble() / divisor});
+  return divisor == 0 ? Rgb() : ToFloat(sum / divisor);
 }
 
 void Put(Vec3 value, uint32_t* words) {
@@ -108,19 +104,15 @@ bool PixelLayers::IsNearest(float distance, uint32_t index) {
   return is_nearest;
 }
 
-void PixelLayers::Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight) {
+void PixelLayers::Add(const SampleLayers& sample, Rgb radiance, float weight) {
   ++count_;
-  if (layers.Has(Layer::kAlbedo)) AddTo(&albedo_, sample.albedo * weight);
-  if (layers.HasAny(kLightLayers)) {
-    for (size_t i = 0; i < light_.size(); ++i) AddTo(&light_[i], sample.light[i] * weight);
-  }
-  if (layers.Has(Layer::kStandardError)) {
-    const float square = weight * weight;
-    AddTo(&squares_, radiance * radiance * square);
-    if (weight != 1) {
-      AddTo(&weighted_excess_, radiance * (square - weight));
-      weight_excess_.Add(square - weight);
-    }
+  albedo_ += Usable(sample.albedo * weight);
+  for (size_t i = 0; i < light_.size(); ++i) light_[i] += Usable(sample.light[i] * weight);
+  const Vec3d weighted = ToDouble(radiance * weight);
+  squares_ += weighted * weighted;
+  if (weight != 1) {
+    weighted_excess_ += weighted * (double{weight} - 1);
+    weight_excess_ += double{weight} * (double{weight} - 1);
   }
 }
 
@@ -129,13 +121,7 @@ Rgb PixelLayers::MeanAlbedo(const PixelSums& sums) const {
 }
 
 Rgb PixelLayers::MeanLight(const PixelSums& sums, size_t times_scattered) const {
-  if (times_scattered < light_.size()) return MeanOf(light_[times_scattered], sums);
-  const double divisor = sums.weight.ToDouble();
-  if (divisor == 0) return {};
-  const auto rest = [&](size_t i, const ExactSum& all) {
-    return (all.ToDouble() - light_[0][i].ToDouble() - light_[1][i].ToDouble()) / divisor;
-  };
-  return ToFloat({rest(0, sums.red), rest(1, sums.green), rest(2, sums.blue)});
+  return MeanOf(light_[times_scattered], sums);
 }
 
 // The pixel is sum(w L) / sum(w). Its variance is n / (n - 1) times the sum of w^2 (L - mean)^2
@@ -144,12 +130,11 @@ Rgb PixelLayers::StandardError(const PixelSums& sums) const {
   const double weight = sums.weight.ToDouble();
   if (count_ < 2 || weight == 0) return {};
   const double correction = static_cast<double>(count_) / (count_ - 1);
-  const double weight_squares = weight + weight_excess_.ToDouble();
-  const auto error = [&](size_t i, const ExactSum& sum) {
+  const double weight_squares = weight + weight_excess_;
+  const auto error = [&](int i, const ExactSum& sum) {
     const double mean = sum.ToDouble() / weight;
-    const double weighted = sum.ToDouble() + weighted_excess_[i].ToDouble();
-    const double spread =
-        squares_[i].ToDouble() - 2 * mean * weighted + mean * mean * weight_squares;
+    const double weighted = sum.ToDouble() + weighted_excess_[i];
+    const double spread = squares_[i] - 2 * mean * weighted + mean * mean * weight_squares;
     return std::sqrt(correction * std::max(0.0, spread)) / std::abs(weight);
   };
   return ToFloat({error(0, sums.red), error(1, sums.green), error(2, sums.blue)});

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "math/exact_sum.h"
+#include "math/vec.h"
 #include "sampling/sample_layers.h"
 
 namespace candela {
@@ -42,7 +42,6 @@ class LayerSet {
 
   constexpr void Add(Layer layer) { bits_ |= Bit(layer); }
   constexpr bool Has(Layer layer) const { return (bits_ & Bit(layer)) != 0; }
-  constexpr bool HasAny(LayerSet others) const { return (bits_ & others.bits_) != 0; }
   constexpr bool IsEmpty() const { return bits_ == 0; }
   friend constexpr bool operator==(LayerSet, LayerSet) = default;
 
@@ -51,9 +50,9 @@ class LayerSet {
   uint32_t bits_ = 0;
 };
 
-/// Everything that the layers of a pixel have to remember, apart from the sum of its weights. Like
-/// those of colours its sums are exact, and the nearest sample is the same in any order. Zero bytes
-/// are those of a pixel without samples.
+/// Everything that the layers of a pixel have to remember, apart from the sum of its weights. The
+/// samples of a pixel come in their order, whoever renders it, so that plain sums are always the
+/// same: exact ones, as those of the colours are, take several times as long.
 class PixelLayers {
  public:
   /// Whether a sample is nearer to the middle of the pixel than all that this was asked of before,
@@ -63,27 +62,26 @@ class PixelLayers {
   void SetSurface(const SampleLayers::Surface& surface) { surface_ = surface; }
 
   /// Adds the light of a sample that the colours have taken.
-  void Add(LayerSet layers, const SampleLayers& sample, Rgb radiance, float weight);
+  void Add(const SampleLayers& sample, Rgb radiance, float weight);
 
   uint32_t SampleCount() const { return count_; }
   const SampleLayers::Surface& Surface() const { return surface_; }
   Rgb MeanAlbedo(const PixelSums& sums) const;
-  /// See `SampleLayers::light`. The three parts add up to the colour of the pixel.
+  /// See `SampleLayers::light`. The three parts add up to the colour of the pixel, but for
+  /// rounding.
   Rgb MeanLight(const PixelSums& sums, size_t times_scattered) const;
   /// The standard error of the pixel's colour, from the spread of its samples as if they were
   /// independent. 0 for fewer than two.
   Rgb StandardError(const PixelSums& sums) const;
 
  private:
-  using Sums = std::array<ExactSum, 3>;
-
-  Sums albedo_;
-  std::array<Sums, 2> light_;  ///< What was scattered more often is the rest of the pixel's.
-  Sums squares_;               ///< Of weight^2 L^2.
+  Vec3d albedo_;
+  std::array<Vec3d, 3> light_;
+  Vec3d squares_;  ///< Of weight^2 L^2.
   // By how much the sums of weight^2 L and of weight^2 exceed those of the pixel, of weight L and
   // of weight: nothing for most filters, whose samples all weigh 1.
-  Sums weighted_excess_;
-  ExactSum weight_excess_;
+  Vec3d weighted_excess_;
+  double weight_excess_ = 0;
   SampleLayers::Surface surface_;
   float distance_ = 0;  ///< Of the nearest sample, if there is one.
   uint32_t index_ = 0;

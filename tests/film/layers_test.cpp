@@ -29,7 +29,7 @@ struct OnePixel {
   void Add(const SampleLayers& sample, Rgb radiance, float weight, float distance, uint32_t index) {
     sums.Add(radiance, weight);
     if (layers.IsNearest(distance, index)) layers.SetSurface(sample.surface);
-    layers.Add(kAll, sample, radiance, weight);
+    layers.Add(sample, radiance, weight);
   }
   PixelSums sums;
   PixelLayers layers;

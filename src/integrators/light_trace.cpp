@@ -74,9 +74,7 @@ PathTechniques BeyondLightPaths() {
 
 /// The same surface as a path sees it that comes from another side.
 PathVertex SeenFrom(const PathVertex& vertex, Vec3 wo) {
-  PathVertex seen;
-  seen.point = vertex.point;
-  seen.wo = wo;
+  PathVertex seen(vertex.point, wo);
   seen.material = vertex.material;
   const Vec3 n = vertex.point.n_geometric;
   const bool is_same_side = Dot(n, wo) * Dot(n, vertex.wo) > 0;
@@ -226,9 +224,7 @@ void LightTraceIntegrator::Shade(uint32_t step, Batch* batch) const {
     if (!path.media.IsEmpty()) {
       path.throughput *= Transmittance(path.media.Absorption(scene_.interiors()), hit.t);
     }
-    PathVertex vertex;
-    vertex.point = scene_.SurfaceAt(ray, hit);
-    vertex.wo = -Normalize(ray.direction);
+    PathVertex vertex(scene_, ray, hit);
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.interior != SceneObject::kNoInterior &&
         !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {

@@ -76,12 +76,13 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
   const float angle_per_unit = scene_.camera().AnglePerUnit();
+  PathState first;
+  first.media = media_at_camera_;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
     PathState& path = paths.states()[i];
-    path = PathState();
+    path = first;
     path.sample = i;
-    path.media = media_at_camera_;
     path.cone.spread = request.spacing * angle_per_unit;
     path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
@@ -118,11 +119,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (!path.media.IsEmpty()) {
       path.throughput *= Transmittance(path.media.Absorption(scene_.interiors()), hit.t);
     }
-    PathVertex vertex;
-    vertex.point = scene_.SurfaceAt(ray, hit);
+    PathVertex vertex(scene_, ray, hit);
     path.cone.Travel(hit.t);
     vertex.point.footprint = path.cone.width;
-    vertex.wo = -Normalize(ray.direction);
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
       output.Add(
@@ -185,8 +184,8 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
       draw.is_found_too ? EvalWithPdf(bsdf, wo, wi) : BsdfValue{Eval(bsdf, wo, wi), 0};
   if (scattered.value.IsBlack()) return;
 
-  const float weight = draw.is_found_too ? lights_.Weight(draw.pdf, scattered.pdf) : 1;
-  Spectrum arriving = sample.radiance * (std::abs(cosine) * weight / draw.pdf);
+  const float weight = draw.is_found_too ? lights_.Weight(draw.Pdf(), scattered.pdf) : 1;
+  Spectrum arriving = sample.radiance * (std::abs(cosine) * weight / draw.Pdf());
   const MediumStack& media = is_transmission ? vertex.media_beyond : path.media;
   if (!media.IsEmpty()) {
     arriving *= Transmittance(media.Absorption(scene_.interiors()), sample.distance);

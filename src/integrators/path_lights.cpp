@@ -62,8 +62,8 @@ PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension, V
   const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
   const auto [index, choice] = picker_.Choose(p, u);
   const Light& light = *lights_[index];
-  const LightSample sample = light.SampleIncident(p, path.sampler.Get2D(dimension + kLightPoint));
-  return {sample, choice * sample.pdf, light.Kind() != LightKind::kPoint};
+  return {light.SampleIncident(p, path.sampler.Get2D(dimension + kLightPoint)), choice,
+          light.Kind() != LightKind::kPoint};
 }
 
 Spectrum PathLights::FromSky(const PathState& path, Vec3 direction) const {

@@ -33,8 +33,11 @@ class PathLights {
   /// Light that reaches a point if nothing is in the way.
   struct Draw {
     LightSample sample;
-    float pdf;          ///< Of the light and of the direction, over solid angle.
+    float choice;       ///< The probability of the light.
     bool is_found_too;  ///< Rays can find the light as well: what it gives is to be weighed.
+
+    /// The density of light and direction, over solid angle.
+    float Pdf() const { return choice * sample.pdf; }
   };
   /// Nothing was drawn when the density of the sample is 0.
   Draw Sample(const PathState& path, uint32_t dimension, Vec3 p) const;

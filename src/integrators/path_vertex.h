@@ -54,6 +54,10 @@ struct BounceLimits {
 
 /// A surface that a path has met.
 struct PathVertex {
+  PathVertex(const Scene& scene, const Ray& ray, const HitRecord& hit)
+      : point(scene.SurfaceAt(ray, hit)), wo(-Normalize(ray.direction)) {}
+  PathVertex(const SurfacePoint& surface_point, Vec3 w) : point(surface_point), wo(w) {}
+
   SurfacePoint point;
   Vec3 wo;  ///< Unit vector to where the path comes from.
   Bsdf bsdf;

@@ -16,7 +16,7 @@ int ChooseLobe(const Bsdf& bsdf, float* u) {
 }
 
 /// Adds to a direction that one lobe has drawn what the others do with it.
-void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
+void AddOthers(const Bsdf& bsdf, const Vec3& wo, int drawn, LobeSample* sample) {
   const float cosine = std::abs(sample->wi.z);
   float pdf = bsdf.lobes[drawn].pick * sample->pdf;
   Spectrum value = sample->weight * sample->pdf;
@@ -31,7 +31,7 @@ void AddOthers(const Bsdf& bsdf, Vec3 wo, int drawn, LobeSample* sample) {
 
 // Both of directions in the frame of the Bsdf.
 
-Spectrum EvalLocal(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+Spectrum EvalLocal(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   Spectrum sum;
   for (int lobe = 0; lobe < bsdf.count; ++lobe) {
     sum += EvalLobe(bsdf.lobes[lobe], wo, wi) * bsdf.lobes[lobe].share;
@@ -39,7 +39,7 @@ Spectrum EvalLocal(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
   return sum;
 }
 
-float PdfLocal(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
+float PdfLocal(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi) {
   if (!(bsdf.pick_sum > 0)) return 0;
   float sum = 0;
   for (int lobe = 0; lobe < bsdf.count; ++lobe) {

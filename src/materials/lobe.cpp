@@ -20,13 +20,13 @@ LobeSample SampleSingle(const Lobe& lobe, Vec3 wi) {
 }
 
 /// Whether any smooth light goes from one direction to the other.
-bool IsLit(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+bool IsLit(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
   return wo.z > 0 && (wi.z > 0 || (wi.z < 0 && lobe.kind == LobeKind::kDielectric));
 }
 
 }  // namespace
 
-Spectrum EvalLobe(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+Spectrum EvalLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
   if (!IsLit(lobe, wo, wi)) return {};
   switch (lobe.kind) {
     case LobeKind::kLambert:
@@ -51,7 +51,7 @@ Spectrum EvalLobe(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   return {};
 }
 
-float LobePdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+float LobePdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
   if (!IsLit(lobe, wo, wi)) return 0;
   switch (lobe.kind) {
     case LobeKind::kLambert:
@@ -76,7 +76,7 @@ float LobePdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   return 0;
 }
 
-LobeSample SampleLobe(const Lobe& lobe, Vec3 wo, Vec2 u) {
+LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u) {
   switch (lobe.kind) {
     case LobeKind::kLambert:
       return SampleLambert(lobe, u);

@@ -113,9 +113,11 @@ struct LobeSample {
 // Directions are those of a frame whose z axis is the normal, and `wo` has a z above 0; a `wi` with
 // a negative z is on the other side. The values of diffuse lobes are 0 there.
 
-Spectrum EvalLobe(const Lobe& lobe, Vec3 wo, Vec3 wi);
-float LobePdf(const Lobe& lobe, Vec3 wo, Vec3 wi);
-LobeSample SampleLobe(const Lobe& lobe, Vec3 wo, Vec2 u);
+// By reference: packed into registers they would have to wait for what has just been computed.
+
+Spectrum EvalLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
+float LobePdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
+LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u);
 
 /// The direction in which a mirror in the plane z = 0 throws light.
 constexpr Vec3 MirrorDirection(Vec3 w) {

@@ -27,13 +27,14 @@ Vec2 SampleDisk(Vec2 u) {
   const float y = 2 * u.y - 1;
   if (x == 0 && y == 0) return {0, 0};
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
-  // other coordinate runs along the arc.
-  if (std::abs(x) > std::abs(y)) {
-    const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (y / x));
-    return {x * static_cast<float>(cosine), x * static_cast<float>(sine)};
-  }
-  const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (x / y));
-  return {y * static_cast<float>(sine), y * static_cast<float>(cosine)};
+  // other coordinate runs along the arc. Written so that no processor has to guess which.
+  const bool is_beside = std::abs(x) > std::abs(y);
+  const float radius = is_beside ? x : y;
+  const float arc = is_beside ? y : x;
+  const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (arc / radius));
+  const float along = radius * static_cast<float>(cosine);
+  const float across = radius * static_cast<float>(sine);
+  return {is_beside ? along : across, is_beside ? across : along};
 }
 
 Vec2 InvertDisk(Vec2 p) {

@@ -5,17 +5,12 @@
 
 namespace candela {
 
-Vec3 Scene::NormalToWorld(uint32_t object, Vec3 n) const {
-  // Normals go by the inverse transpose.
-  return NormalizeAnyLength(objects_[object].object_from_world.TransposedVector(n));
-}
-
 SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
   SurfacePoint point;
   point.p = ray.At(hit.t);
   SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  point.n_shading = NormalToWorld(hit.object, local.n_shading);
+  point.n_shading = object.NormalToWorld(local.n_shading);
   if (object.is_textured) {
     object.shape->AddTextureCoordinates(hit, &local);
     point.uv = local.uv;
@@ -25,25 +20,26 @@ SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
 
 SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
-  SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  if (object.is_textured) object.shape->AddTextureCoordinates(hit, &local);
+  SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
+  if (object.is_textured) object.shape->AddTextureCoordinates(hit, &point);
+  const bool is_flat = point.n_shading == point.n_geometric;
   if (object.is_baked) {
-    if (local.n_shading != local.n_geometric) local.n_shading = NormalizeAnyLength(local.n_shading);
-    return local;
+    if (!is_flat) point.n_shading = NormalizeAnyLength(point.n_shading);
+    return point;
   }
-  SurfacePoint world = local;
-  world.p = object.world_from_object.Point(local.p);
+  // In place: a copy of the whole would have to wait for what has just been stored.
+  const Vec3 p = object.world_from_object.Point(point.p);
   // A ray that leaves from here is taken back to object space, with a rounding error of its own.
-  const Vec3 way_back = object.object_from_world.PointError(world.p, {});
-  world.p_error = object.world_from_object.PointError(local.p, local.p_error + way_back);
-  world.n_geometric = NormalToWorld(hit.object, local.n_geometric);
-  const bool is_same = local.n_shading == local.n_geometric;
-  world.n_shading = is_same ? world.n_geometric : NormalToWorld(hit.object, local.n_shading);
+  const Vec3 way_back = object.object_from_world.PointError(p, {});
+  point.p_error = object.world_from_object.PointError(point.p, point.p_error + way_back);
+  point.p = p;
+  point.n_geometric = object.NormalToWorld(point.n_geometric);
+  point.n_shading = is_flat ? point.n_geometric : object.NormalToWorld(point.n_shading);
   if (object.is_textured) {
-    world.dpdu = object.world_from_object.Vector(local.dpdu);
-    world.dpdv = object.world_from_object.Vector(local.dpdv);
+    point.dpdu = object.world_from_object.Vector(point.dpdu);
+    point.dpdv = object.world_from_object.Vector(point.dpdv);
   }
-  return world;
+  return point;
 }
 
 Vec3 Scene::LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const {

@@ -94,8 +94,6 @@ class Scene {
   friend class SceneCompiler;
   explicit Scene(const CameraSpec& camera) : camera_(camera) {}
 
-  Vec3 NormalToWorld(uint32_t object, Vec3 n) const;
-
   PerspectiveCamera camera_;
   Background background_;
   std::vector<SceneObject> objects_;

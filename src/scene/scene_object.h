@@ -37,6 +37,11 @@ struct SceneObject {
     local.time = ray.time;
     return local;
   }
+
+  /// A unit normal of the shape in world space, as unit vector: by the inverse transpose.
+  Vec3 NormalToWorld(Vec3 n) const {
+    return NormalizeAnyLength(object_from_world.TransposedVector(n));
+  }
 };
 
 }  // namespace candela

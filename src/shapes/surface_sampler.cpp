@@ -15,7 +15,7 @@ float Largest(Vec3 v) {
 
 }  // namespace
 
-SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area) {
+SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area) {
   const Vec3 way = p - from;
   const float squared = LengthSquared(way);
   const float distance = std::sqrt(squared);

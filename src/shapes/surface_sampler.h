@@ -54,7 +54,7 @@ class SurfaceSampler {
 };
 
 /// The sample of a point that was drawn by area, from all of `area`.
-SurfaceSample SampleByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area);
 
 /// Its density over solid angle: distance squared / (area cosine); 0 for a point seen edge-on.
 float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area);

@@ -36,10 +36,10 @@ class Scene {
 
   /// The same for many rays; see `Group`. The spans are equally long.
   void Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const {
-    tree_.group->Intersect(order, rays, hits);
+    tree_.Intersect(order, rays, hits);
   }
   void Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_t> occluded) const {
-    tree_.group->Occluded(order, rays, occluded);
+    tree_.Occluded(order, rays, occluded);
   }
 
   /// Whether surfaces of some objects have holes. Rays of the kind `kShadowRay` pass those objects.

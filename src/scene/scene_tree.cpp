@@ -7,6 +7,9 @@
 namespace candela {
 namespace {
 
+/// Measured where the two ways to trace lists cross, with meshes of 1000 to 130,000 triangles.
+constexpr uint64_t kMostOfSmall = 100'000;
+
 class SceneTreeBuilder {
  public:
   SceneTreeBuilder(std::span<const SceneObject> objects, std::span<const Mat4> world_from_object)
@@ -32,6 +35,7 @@ class SceneTreeBuilder {
     auto group = Group::Build(std::move(input), {});
     if (!group) return group.error();
     tree_.group = *std::move(group);
+    tree_.is_small = tree_.MemoryBytes() <= kMostOfSmall;
     return std::move(tree_);
   }
 
@@ -54,6 +58,24 @@ class SceneTreeBuilder {
 };
 
 }  // namespace
+
+void SceneTree::Intersect(RayOrder order, std::span<const Ray> rays,
+                          std::span<HitRecord> hits) const {
+  if (order == RayOrder::kScattered && is_small) {
+    for (size_t i = 0; i < rays.size(); ++i) group->Intersect(rays[i], &hits[i]);
+  } else {
+    group->Intersect(order, rays, hits);
+  }
+}
+
+void SceneTree::Occluded(RayOrder order, std::span<const Ray> rays,
+                         std::span<uint8_t> occluded) const {
+  if (order == RayOrder::kScattered && is_small) {
+    for (size_t i = 0; i < rays.size(); ++i) occluded[i] = group->Occluded(rays[i]);
+  } else {
+    group->Occluded(order, rays, occluded);
+  }
+}
 
 uint64_t SceneTree::MemoryBytes() const {
   uint64_t bytes = group->MemoryBytes() + primitives.capacity() * sizeof(ObjectPrimitive);

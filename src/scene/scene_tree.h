@@ -20,6 +20,13 @@ struct SceneTree {
   /// Those of meshes that several objects have, in object space; the group holds instances of them.
   std::vector<std::shared_ptr<const Group>> mesh_groups;
   std::unique_ptr<const Group> group;
+  /// A processor keeps all of it near itself. Then one ray after the other is quicker than many in
+  /// flight, which have nothing to wait for.
+  bool is_small = false;
+
+  /// For each ray what the group answers; see there.
+  void Intersect(RayOrder order, std::span<const Ray> rays, std::span<HitRecord> hits) const;
+  void Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_t> occluded) const;
 
   /// Of all groups.
   uint64_t MemoryBytes() const;

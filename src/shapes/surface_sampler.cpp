@@ -48,7 +48,7 @@ AreaSample SampleOfArea(Vec3 p, Vec3 n, float size, float pdf) {
 }
 
 bool IsFar(Vec3 from, Vec3 p, float size) {
-  return LengthSquared(from - p) > 9 * size * size;
+  return LengthSquared(from - p) > 4 * size * size;
 }
 
 bool IsInPlane(Vec3 from, Vec3 p, Vec3 n, float size) {

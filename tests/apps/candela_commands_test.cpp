@@ -103,6 +103,25 @@ TEST_F(CandelaTest, CheckReportsWhatIsWrongAndSumsUpNothing) {
                 "candela check: error: unexpected argument 'more.txt'");
 }
 
+// The files occupy no space on the disk.
+TEST_F(CandelaTest, WhatDoesNotFitIntoMemoryHasAStatusOfItsOwn) {
+  const std::string kCamera = "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 40 } ";
+  std::filesystem::create_directory(folder_ / "sky");
+  for (const char* huge : {"huge.txt", "huge.obj", "sky/left.png"}) {
+    Put(folder_ / huge, "");
+    std::filesystem::resize_file(folder_ / huge, uintmax_t{1} << 43);
+  }
+  Put(folder_ / "mesh.txt", kCamera +
+                                "Materials { Material { } } Scene { Component<Material> { "
+                                "index 0 } Component<Object> { type mesh obj_file huge.obj } }");
+  Put(folder_ / "sky.txt", kCamera + "Background { cube_map sky } Scene { }");
+  for (const char* scene : {"huge.txt", "mesh.txt", "sky.txt"}) {
+    const ProgramEnd end = Candela({"check", scene});
+    EXPECT_EQ(end.status, 4) << scene;
+    EXPECT_THAT(end.err, HasSubstr("does not fit into memory\n"));
+  }
+}
+
 TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
   Put(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   Put(folder_ / "mesh.txt",

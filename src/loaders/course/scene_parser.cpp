@@ -283,7 +283,7 @@ SceneSpec LoadScene(const std::filesystem::path& path, Diagnostics* diagnostics)
   const auto file = std::make_shared<const std::string>(path.string());
   const Result<std::string> text = ReadFile(path);
   if (!text) {
-    diagnostics->Error({file, 0, 0}, text.error().message);
+    diagnostics->Error({file, 0, 0}, text.error().message, text.error().code);
     return {};
   }
   SceneSpec scene = ParseScene(file, *text, path.parent_path(), diagnostics);

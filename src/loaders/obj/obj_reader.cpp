@@ -23,7 +23,8 @@ std::shared_ptr<const MeshSpec> LoadObj(const std::filesystem::path& path,
   const Result<std::string> text = ReadFile(path);
   if (!text) {
     diagnostics->Error(asked,
-                       fmt::format("mesh {}: {}", Quote(path.string()), text.error().message));
+                       fmt::format("mesh {}: {}", Quote(path.string()), text.error().message),
+                       text.error().code);
     return nullptr;
   }
   const auto file = std::make_shared<const std::string>(path.string());

@@ -150,6 +150,10 @@ class SceneCompiler {
     uint32_t light = SceneObject::kNoLight;
     if (node.light) light = CompileLight(node, world_from_node, resolved);
     if (node.object) CompileObject(node, world_from_node, light, resolved);
+    if (!node.object && node.material && MaterialOf(node)) {
+      diagnostics_.Warning(node.material->where,
+                           "there is no object in this node that could be made of the material");
+    }
   }
 
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.

@@ -42,7 +42,7 @@ std::string SamplerName(SamplerType type) {
 
 Result<std::string> HashScene(const SceneSpec& spec) {
   uint64_t hash = 0;
-  for (const auto& path : InputFiles(spec)) {
+  for (const auto& path : ContentFiles(spec)) {
     const Result<std::string> bytes = ReadFile(path);
     if (!bytes) {
       return Error{bytes.error().code,

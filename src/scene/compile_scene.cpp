@@ -377,7 +377,7 @@ class SceneCompiler {
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.
 };
 
-std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
+std::vector<std::filesystem::path> ContentFiles(const SceneSpec& spec) {
   std::vector<std::filesystem::path> files = spec.files;
   if (!spec.background.cube_map.empty()) {
     const auto faces = CubeMap::FaceFiles(spec.folder / spec.background.cube_map);
@@ -392,6 +392,12 @@ std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
       files.push_back(spec.folder / spec.PathInScene(file->words[0]));
     }
   }
+  return files;
+}
+
+std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
+  std::vector<std::filesystem::path> files = ContentFiles(spec);
+  files.insert(files.end(), spec.mtl_files.begin(), spec.mtl_files.end());
   return files;
 }
 

@@ -127,6 +127,8 @@ struct SceneSpec {
   std::map<std::string, std::shared_ptr<const MeshSpec>> meshes;
   /// The files that were read, the one of the scene first, then those that it includes.
   std::vector<std::filesystem::path> files;
+  /// The files of which the names of materials were read, for warnings alone.
+  std::vector<std::filesystem::path> mtl_files;
 };
 
 }  // namespace candela

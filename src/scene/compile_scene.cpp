@@ -200,7 +200,7 @@ class SceneCompiler {
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
                                 Transform(*object_from_world), *material, light, false, spec.type,
-                                fmt::format("{} of line {}", spec.type, spec.where.line)});
+                                DescriptionOf(spec)});
     const auto& made_of = scene_->materials_[*material];
     SceneObject& object = scene_->objects_.back();
     object.is_textured = made_of && made_of->NeedsTextureCoordinates();
@@ -208,6 +208,15 @@ class SceneCompiler {
     scene_->has_holes_ |= object.has_holes;
     object.interior = InteriorOf(node, made_of.get());
     places_.push_back({world_from_node, where, spec.where});
+  }
+
+  /// For people who know which scene it is: only other files are named.
+  std::string DescriptionOf(const TypedSpec& object) const {
+    const std::string place =
+        spec_.IsInSceneFile(object.where)
+            ? fmt::format("line {}", object.where.line)
+            : fmt::format("{}:{}", DisplayName(*object.where.file), object.where.line);
+    return fmt::format("{} of {}", object.type, place);
   }
 
   /// The index of what fills the node's object.

@@ -115,7 +115,8 @@ int RunInfoCommand(Words words) {
     return Result<void>();
   };
   SceneSpec resolved;
-  const auto loaded = LoadSceneForUser(*path, read_settings, shows_resolved ? &resolved : nullptr);
+  const auto loaded =
+      LoadSceneForUser(*path, read_settings, {}, shows_resolved ? &resolved : nullptr);
   if (!loaded) return static_cast<int>(loaded.error().code);
   if (shows_resolved) {
     resolved.render.params = settings.render;

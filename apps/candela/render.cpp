@@ -61,7 +61,7 @@ class RenderCommand {
   /// What follows from the options that scenes may set, stored in them.
   void FinishSettings();
   RenderSettings Settings() const {
-    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film")};
+    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film"), request_.integrator};
   }
 
  private:

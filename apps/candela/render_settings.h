@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "base/diagnostics.h"
 #include "scene_spec/scene_spec.h"
 
@@ -10,6 +12,7 @@ namespace candela {
 /// defaults included, what has no effect left out.
 struct RenderSettings {
   ParamSet render, film;
+  std::string integrator;  ///< One of the registry.
 };
 RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics);
 

@@ -100,7 +100,10 @@ class RenderRun {
   }
 
   Result<void> LoadScene() {
-    auto loaded = LoadSceneForUser(request_.scene, read_settings_);
+    const auto check = [this](const Scene& scene, Diagnostics* diagnostics) {
+      CheckForIntegrator(request_.integrator, scene, diagnostics);
+    };
+    auto loaded = LoadSceneForUser(request_.scene, read_settings_, check);
     if (!loaded) return loaded.error();
     loaded_ = *std::move(loaded);
     statistics_.seconds.load = loaded_->load_seconds;

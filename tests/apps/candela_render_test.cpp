@@ -109,7 +109,7 @@ TEST_F(CandelaRenderTest, PathsHaveUsualValuesOfTheirOwn) {
 TEST_F(CandelaRenderTest, LightPathsHaveTheUsualValuesOfPaths) {
   UseDiffuseScene();
   ExpectRefusal(Render({"-o", "o.exr", "--integrator", "light_trace"}), 1,
-                "candela render: error: scene.txt:6:30: the plane has no end, so the integrator "
+                "scene.txt:6:30: error: the plane has no end, so the integrator "
                 "'light_trace' cannot send all of the light from the sky to it; 'path' can, and so "
                 "can both with a rectangle");
   UseDiffuseScene("rectangle width 9 height 9");

@@ -183,11 +183,50 @@ TEST_F(SceneSettingsTest, IncludedFilesAreNotOverwritten) {
   EXPECT_EQ(Bytes("parts.png"), "Film { size 9 9 }");
 }
 
+// Two of the four materials are wrong and worn, one of them twice; one that nobody wears is no
+// harm.
 TEST_F(SceneSettingsTest, PathsPlaceTheMaterialsThatTheyDoNotKnow) {
-  Put(folder_ / "scene.txt", kSmallScene);
-  const ProgramEnd end = Candela({"render", "scene.txt", "-o", "o.png", "--integrator", "path"});
-  EXPECT_EQ(end.status, 1);
-  EXPECT_THAT(end.err, HasSubstr("scene.txt:5:3: the material has a Phong highlight"));
+  std::string nodes;
+  for (const char* worn : {"3", "0", "1", "3"}) {
+    nodes += fmt::format(
+        "Node {{ Component<Material> {{ index {} }} Component<Object> {{ type sphere radius 1 }} "
+        "}}\n",
+        worn);
+  }
+  const auto put = [&](const std::string& settings) {
+    Put(folder_ / "scene.txt", settings +
+                                   "\nCamera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }\n"
+                                   "Materials {\n"
+                                   "  Material { specular 0.5 0.5 0.5 }\n"
+                                   "  Material { }\n"
+                                   "  Material { specular 1 1 1 }\n"
+                                   "  Material { specular 0.1 0.1 0.1 } }\nScene {\n" +
+                                   nodes + "}");
+  };
+  const auto lines = [](std::string_view integrator) {
+    std::string all;
+    for (const char* place : {"4:3", "7:3"}) {
+      all += fmt::format(
+          "scene.txt:{}: error: the material has a Phong highlight, or reflects more light than it "
+          "gets, which the integrator '{}' does not know; 'whitted' does, and so does it "
+          "'normalised'\n",
+          place, integrator);
+    }
+    return all;
+  };
+  put("");
+  for (const char* integrator : {"path", "light_trace"}) {
+    const ProgramEnd end =
+        Candela({"render", "scene.txt", "-o", "o.png", "--integrator", integrator});
+    EXPECT_EQ(end.status, 1);
+    EXPECT_EQ(end.err, lines(integrator));
+  }
+  EXPECT_EQ(Candela({"check", "scene.txt"}).status, 0);
+
+  put("Render { integrator path }");
+  const ProgramEnd checked = Candela({"check", "scene.txt"});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_EQ(checked.err, lines("path"));
 }
 
 }  // namespace

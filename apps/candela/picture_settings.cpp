@@ -1,0 +1,153 @@
+#include "candela/picture_settings.h"
+
+#include <fmt/format.h>
+
+#include "candela/table_options.h"
+#include "image/image_file.h"
+#include "image/tone_curve.h"
+#include "integrators/registry.h"
+#include "integrators/whitted.h"
+#include "math/elementary.h"
+#include "sampling/sampler.h"
+
+namespace candela {
+namespace {
+
+/// How many samples a pixel gets where nobody says it.
+constexpr uint32_t kFilteredSamples = 16;
+constexpr uint32_t kPathSamples = 64;
+
+/// Options that are settings of a scene as well.
+constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
+
+}  // namespace
+
+void PictureSettings::AddTone(ArgParser* parser) {
+  parser->Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
+                 kInFilm);
+  parser->Option("exposure", {Real("EV", &exposure_)},
+                 "brightness of .png and .jpg files in stops: 1 doubles the light (default 0)",
+                 kInFilm);
+}
+
+void PictureSettings::AddGrid(ArgParser* parser) {
+  parser->Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
+                 "whether the positions of the outermost pixels lie on the edge of the view, as in "
+                 "the course, or half a pixel inside (default corners, with path and light_trace "
+                 "centres)",
+                 kInFilm);
+}
+
+void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
+  parser->Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
+                 IntegratorSummaries(), kInRender);
+  common->AddLight(parser, "0, with path and light_trace as many as it takes");
+  IntegratorOptions& light = request_.integrator_options;
+  parser->Option(
+      "diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
+      "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
+      kInRender);
+  parser->Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
+                 "with path and light_trace: those by mirrors (default all)", kInRender);
+  parser->Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
+                 "with path and light_trace: those through surfaces (default all)", kInRender);
+}
+
+void PictureSettings::AddSamples(ArgParser* parser) {
+  parser->Option("samples", {Whole("N", &samples_, 1)},
+                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
+                             "light_trace {})",
+                             kFilteredSamples, kPathSamples),
+                 kInRender);
+  parser->Option(
+      "filter", {Choice("NAME", &filter_, FilterNames())},
+      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
+      kInFilm);
+  parser->Option("sampler", {Choice("NAME", &sampler_, SamplerNames())}, SamplerSummaries(),
+                 kInRender);
+  parser->Option("clamp", {Positive("X", &request_.render.clamp)},
+                 "darken samples of which a channel is above X, colour kept: less noise, but the "
+                 "picture loses light, and it is said how much (default off)",
+                 kInRender);
+  parser->Flag("jitter", &jitter_,
+               "the course's 4x4 samples of each pixel, with --filter tent weighed");
+  parser->Option("seed", {Whole("N", &request_.render.seed, 0, 4294967295)},
+                 "another number gives other random positions (default 0)", kInRender);
+}
+
+Result<void> PictureSettings::CheckJitter() const {
+  if (jitter_ && samples_) return UsageError("--jitter and --samples: give one of them");
+  if (jitter_ && filter_ && *filter_ != "tent") {
+    return UsageError("--jitter goes with --filter tent only; use --samples with other filters");
+  }
+  return {};
+}
+
+Result<void> PictureSettings::CheckTone(const ArgParser& parser) const {
+  if (request_.output && !IsForDisplays(*FormatOf(*request_.output))) {
+    for (const char* name : {"tonemap", "exposure"}) {
+      if (!parser.Has(name)) continue;
+      return UsageError(
+          fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
+    }
+  }
+  return {};
+}
+
+void PictureSettings::DropSamplesOfScene(const ArgParser& parser) {
+  if (!jitter_) return;
+  samples_.reset();  // --samples cannot have been given.
+  if (!parser.Has("filter")) filter_.reset();
+}
+
+void PictureSettings::Finish() {
+  FinishSamples();
+  FinishGrid();
+  FinishTone();
+  auto& bounces = request_.integrator_options.bounces;
+  if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
+  FinishSampler();
+}
+
+void PictureSettings::FinishSamples() {
+  RenderOptions& render = request_.render;
+  if (jitter_) {
+    render.pattern = filter_ ? SamplePattern::kStrataTent : SamplePattern::kStrata;
+    render.samples = kStrataSamples;
+    return;
+  }
+  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
+  if (!samples_) samples_ = usual;
+  render.samples = *samples_;
+  render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
+  if (render.pattern == SamplePattern::kCentre) return;
+  if (!filter_) filter_ = "box";
+  render.filter = *filter_;
+}
+
+void PictureSettings::FinishSampler() {
+  RenderOptions& render = request_.render;
+  render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
+  render.drops_negative = IsPhysical();
+  request_.integrator_options.seed = render.seed;
+  request_.integrator_options.sampler = render.sampler;
+}
+
+void PictureSettings::FinishGrid() {
+  if (!grid_) grid_ = IsPhysical() ? "centres" : "corners";
+  request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
+}
+
+void PictureSettings::FinishTone() {
+  if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
+  // Without both the course's quantisation stays as it is.
+  if (*tonemap_ == "none" && !exposure_) return;
+  if (!exposure_) exposure_ = 0.0f;
+  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(*exposure_)};
+}
+
+bool PictureSettings::IsPhysical() const {
+  return FindIntegrator(request_.integrator)->is_physical;
+}
+
+}  // namespace candela

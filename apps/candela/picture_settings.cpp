@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "candela/table_options.h"
+#include "driver/console.h"
 #include "image/image_file.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
@@ -98,6 +101,54 @@ void PictureSettings::DropSamplesOfScene(const ArgParser& parser) {
   if (!jitter_) return;
   samples_.reset();  // --samples cannot have been given.
   if (!parser.Has("filter")) filter_.reset();
+}
+
+void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet& settings,
+                                         Diagnostics* diagnostics) {
+  CheckClamp(parser, settings, diagnostics);
+  const std::string text =
+      fmt::format("has no effect with the integrator '{}'", request_.integrator);
+  const auto warn = [&](std::string_view option, std::string_view param) {
+    const Param* in_scene = settings.Find(param);
+    if (parser.Has(option)) {
+      PrintWarning(parser.program(), fmt::format("{} {}", parser.Spell(option), text));
+    } else if (in_scene) {
+      diagnostics->Warning(in_scene->where, fmt::format("'{}' {}", param, text));
+    }
+  };
+  IntegratorOptions& light = request_.integrator_options;
+  if (IsPhysical()) {
+    if (light.shadows) warn("shadows", "shadows");
+    light.shadows = false;
+    return;
+  }
+  struct Limit {
+    std::string_view option, param;
+    std::optional<uint32_t>& value;
+  };
+  for (const Limit& limit :
+       {Limit{"diffuse-bounces", "diffuse_bounces", light.diffuse_bounces},
+        Limit{"mirror-bounces", "mirror_bounces", light.mirror_bounces},
+        Limit{"transmission-bounces", "transmission_bounces", light.transmission_bounces}}) {
+    if (limit.value) warn(limit.option, limit.param);
+    limit.value.reset();
+  }
+}
+
+void PictureSettings::CheckClamp(const ArgParser& parser, const ParamSet& settings,
+                                 Diagnostics* diagnostics) {
+  const Param* clamp = settings.Find("clamp");
+  if (!clamp || parser.Has("clamp")) return;
+  if (!FindIntegrator(request_.integrator)->has_light_paths) return;
+  const std::string text =
+      fmt::format("what light paths of '{}' bring has no samples to clamp", request_.integrator);
+  // No option could switch it off for whoever asks for light paths.
+  if (parser.Has("integrator")) {
+    diagnostics->Warning(clamp->where, "'clamp' has no effect: " + text);
+  } else {
+    diagnostics->Error(clamp->where, "'clamp': " + text);
+  }
+  request_.render.clamp.reset();
 }
 
 void PictureSettings::Finish() {

@@ -4,10 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/render_request.h"
+#include "scene_spec/param_set.h"
 
 namespace candela {
 
@@ -33,11 +35,17 @@ class PictureSettings {
 
   /// Whoever asks for the course's samples does not get those of the scene.
   void DropSamplesOfScene(const ArgParser& parser);
+  /// What the integrator does not know of what the scene or the command line sets is dropped with a
+  /// warning, or is an error when it would not do what was asked for. `settings` are the scene's
+  /// for its rendering.
+  void CheckForIntegrator(const ArgParser& parser, const ParamSet& settings,
+                          Diagnostics* diagnostics);
   /// Completes the request once the settings of the scene are known, and stores what follows from
   /// others in the options that scenes may set.
   void Finish();
 
  private:
+  void CheckClamp(const ArgParser& parser, const ParamSet& settings, Diagnostics* diagnostics);
   void FinishSamples();
   void FinishSampler();
   void FinishGrid();

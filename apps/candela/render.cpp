@@ -159,6 +159,7 @@ void RenderCommand::ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics
                        fits.error().code);
   }
   picture_.DropSamplesOfScene(parser_);
+  picture_.CheckForIntegrator(parser_, spec.render.params, diagnostics);
 }
 
 Result<void> RenderCommand::CheckCheckpoint() const {

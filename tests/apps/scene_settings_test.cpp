@@ -123,6 +123,53 @@ TEST_F(SceneSettingsTest, WrongOnesArePlaced) {
             "nothing\n");
 }
 
+// Light paths have no samples to clamp. Whoever asks for them cannot switch off what a scene
+// clamps.
+TEST_F(SceneSettingsTest, ThoseThatExcludeEachOtherArePlaced) {
+  EXPECT_EQ(
+      Checked("Render { integrator light_trace clamp 2 }"),
+      "scene.txt:1:33: error: 'clamp': what light paths of 'light_trace' bring has no samples "
+      "to clamp\n");
+  PutScene("Render { integrator path clamp 2 samples 1 }");
+  const ProgramEnd end =
+      Candela({"render", "scene.txt", "-o", "a.exr", "--integrator", "light_trace"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err,
+            "scene.txt:1:26: warning: 'clamp' has no effect: what light paths of 'light_trace' "
+            "bring has no samples to clamp\n");
+  ExpectRefusal(Candela({"render", "scene.txt", "-o", "a.exr", "--integrator", "light_trace",
+                         "--clamp", "3"}),
+                2,
+                "candela render: error: --clamp: what light paths of 'light_trace' bring has no "
+                "samples to clamp");
+}
+
+// They are warned of where they stand, in the scene or on the command line, and change nothing.
+TEST_F(SceneSettingsTest, ThoseThatTheIntegratorDoesNotKnowHaveNoEffect) {
+  constexpr const char* kShadows = " has no effect with the integrator 'path'\n";
+  constexpr const char* kBounces = " has no effect with the integrator 'whitted'\n";
+  const auto err = [&](const std::string& settings, std::vector<std::string> arguments) {
+    PutScene(settings);
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", "o.png", "--size", "9", "9"});
+    const ProgramEnd end = Candela(arguments);
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  EXPECT_EQ(err("", {"--integrator", "path", "--shadows"}),
+            std::string("candela render: warning: --shadows") + kShadows);
+  EXPECT_EQ(err("Render { shadows true }", {"--integrator", "path"}),
+            std::string("scene.txt:1:10: warning: 'shadows'") + kShadows);
+  EXPECT_EQ(err("Render { shadows true }", {"--integrator", "path", "--shadows=false"}), "");
+  EXPECT_EQ(err("Render { integrator path diffuse_bounces 1 }", {"--integrator", "whitted"}),
+            std::string("scene.txt:1:26: warning: 'diffuse_bounces'") + kBounces);
+  EXPECT_EQ(err("", {"--mirror-bounces", "1", "--transmission-bounces", "2"}),
+            std::string("candela render: warning: --mirror-bounces") + kBounces +
+                "candela render: warning: --transmission-bounces" + kBounces);
+
+  PutScene("Render { integrator path shadows true }");
+  EXPECT_THAT(Candela({"info", "--resolved", "scene.txt"}).out, HasSubstr("shadows false"));
+}
+
 // They are about the machine and the files of whoever renders.
 TEST_F(SceneSettingsTest, ScenesCannotSetEverything) {
   for (const char* name : {"threads", "output", "quiet", "isa", "stats_json", "png_bits"}) {

@@ -191,10 +191,12 @@ void PictureSettings::FinishGrid() {
 
 void PictureSettings::FinishTone() {
   if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
+  const float exposure = exposure_.value_or(0);
+  exposure_.reset();
   // Without both the course's quantisation stays as it is.
-  if (*tonemap_ == "none" && !exposure_) return;
-  if (!exposure_) exposure_ = 0.0f;
-  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(*exposure_)};
+  if (*tonemap_ == "none" && exposure == 0) return;
+  exposure_ = exposure;
+  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(exposure)};
 }
 
 bool PictureSettings::IsPhysical() const {

@@ -200,6 +200,10 @@ TEST_F(CandelaRenderTest, PngsShowLightThroughACurve) {
   EXPECT_EQ(value({"--tonemap", "none"}), plain);
   EXPECT_NEAR(value({"--tonemap", "srgb"}), SrgbFromLinear(plain), 0.02f);
   EXPECT_LT(value({"--exposure", "-1"}), plain);
+  EXPECT_EQ(value({}), plain);
+  const size_t usual = Fingerprint("o.png");
+  EXPECT_EQ(value({"--exposure", "0"}), plain);
+  EXPECT_EQ(Fingerprint("o.png"), usual) << "the default is no other rounding";
   EXPECT_GT(value({"--tonemap", "agx", "--exposure", "2"}), value({"--tonemap", "agx"}));
 
   // What path tracing gives is light, and shown as light.

@@ -87,12 +87,14 @@ Result<void> PictureSettings::CheckJitter() const {
 }
 
 Result<void> PictureSettings::CheckTone(const ArgParser& parser) const {
-  if (request_.output && !IsForDisplays(*FormatOf(*request_.output))) {
-    for (const char* name : {"tonemap", "exposure"}) {
-      if (!parser.Has(name)) continue;
-      return UsageError(
-          fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
+  for (const char* name : {"tonemap", "exposure"}) {
+    if (!parser.Has(name)) continue;
+    if (!request_.output) {
+      return UsageError(fmt::format("--{} is for the picture of --output: give both", name));
     }
+    if (IsForDisplays(*FormatOf(*request_.output))) continue;
+    return UsageError(
+        fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,7 @@ class RenderCommand {
     if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
     if (const auto done = picture_.CheckTone(parser_); !done) return done;
+    if (const auto done = CheckPngBits(); !done) return done;
     if (const auto done = CheckLayers(); !done) return done;
     if (const auto done = CheckCheckpoint(); !done) return done;
     request_.output_options.has_facts = true;
@@ -81,6 +83,7 @@ class RenderCommand {
 
   Result<void> CheckPixel();
   Result<void> FinishIsa();
+  Result<void> CheckPngBits() const;
   Result<void> CheckLayers() const;
   Result<void> CheckCheckpoint() const;
   /// Whether the integrator can do what is asked of it.
@@ -172,6 +175,15 @@ Result<void> RenderCommand::CheckCheckpoint() const {
   return UsageError("--checkpoint and --aov: a checkpoint does not hold layers");
 }
 
+Result<void> RenderCommand::CheckPngBits() const {
+  if (!parser_.Has("png-bits")) return {};
+  const auto pictures = request_.Pictures();
+  const bool has_png = std::ranges::any_of(
+      pictures, [](const auto& path) { return FormatOf(path) == ImageFormat::kPng; });
+  if (has_png) return {};
+  return UsageError("--png-bits is for .png files, of which none would be written");
+}
+
 Result<void> RenderCommand::CheckLayers() const {
   if (request_.render.layers.IsEmpty()) return {};
   if (request_.output && FormatOf(*request_.output) == ImageFormat::kExr) return {};
@@ -216,7 +228,7 @@ Result<void> RenderCommand::FinishWindow() {
 
 Result<void> RenderCommand::CheckPixel() {
   if (!parser_.Has("pixel")) return {};
-  for (const char* output : {"output", "normals", "depth", "stats-json", "crop"}) {
+  for (const char* output : {"output", "normals", "depth", "stats", "stats-json", "crop"}) {
     if (parser_.Has(output)) {
       return UsageError(fmt::format("--pixel renders nothing, so --{} cannot be given", output));
     }

@@ -67,23 +67,15 @@ class RenderRun {
   }
 
  private:
-  std::vector<std::filesystem::path> Pictures() const {
-    std::vector<std::filesystem::path> paths;
-    if (request_.output) paths.push_back(*request_.output);
-    if (request_.normals) paths.push_back(*request_.normals);
-    if (request_.depth) paths.push_back(request_.depth->path);
-    return paths;
-  }
-
   std::vector<std::filesystem::path> Outputs() const {
-    std::vector<std::filesystem::path> paths = Pictures();
+    std::vector<std::filesystem::path> paths = request_.Pictures();
     if (request_.stats_json) paths.push_back(*request_.stats_json);
     if (request_.checkpoint) paths.push_back(*request_.checkpoint);
     return paths;
   }
 
   Result<void> CheckOutputs() const {
-    for (const auto& path : Pictures()) {
+    for (const auto& path : request_.Pictures()) {
       if (auto checked = CheckPictureOutput(path); !checked) return checked;
       const PixelWindow& crop = request_.render.crop;
       if (FormatOf(path) != ImageFormat::kJpeg) continue;

@@ -292,6 +292,14 @@ TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
   ExpectUsageError({"--pixel", "40", "0"}, "--pixel: lies outside the picture of 40 x 30 pixels");
   ExpectUsageError({"--pixel", "4", "0", "-o", "o.png"},
                    "--pixel renders nothing, so --output cannot be given");
+  ExpectUsageError({"--pixel", "4", "0", "--stats"},
+                   "--pixel renders nothing, so --stats cannot be given");
+  ExpectUsageError({"-o", "o.exr", "--depth", "0", "9", "d.jpg", "--png-bits", "16"},
+                   "--png-bits is for .png files, of which none would be written");
+  ExpectUsageError({"--normals", "n.png", "--tonemap", "agx"},
+                   "--tonemap is for the picture of --output: give both");
+  ExpectUsageError({"--normals", "n.png", "--exposure", "3"},
+                   "--exposure is for the picture of --output: give both");
   ExpectUsageError({"-o", "a.json", "--stats-json", "a.json"},
                    "--output and --stats-json both write 'a.json'");
   ExpectUsageError({"-o", "o.png", "--stats-json", "scene.txt"},

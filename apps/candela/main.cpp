@@ -64,11 +64,12 @@ int Run(Words words) {
     return PrintResult("candela", Help());
   }
   if (first != "help") return RunCommand(first, words.subspan(1));
-  if (words[1] == std::string_view("help")) return PrintResult("candela", Help());
+  const std::string_view asked = words[1];
+  if (asked == "help" || asked == "--help" || asked == "-h") return PrintResult("candela", Help());
   if (words.size() > 2)
     return PrintUsageError(fmt::format("unexpected argument {}", Quote(words[2])));
   static constexpr const char* kExplain[] = {"--help"};
-  return RunCommand(words[1], kExplain);
+  return RunCommand(asked, kExplain);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using CandelaTest = ProgramTest;
 
 TEST_F(CandelaTest, ShowsItsCommands) {
   for (const std::vector<std::string>& ask :
-       {std::vector<std::string>{"--help"}, {"-h"}, {"help"}}) {
+       {std::vector<std::string>{"--help"}, {"-h"}, {"help"}, {"help", "--help"}}) {
     const ProgramEnd end = Candela(ask);
     EXPECT_EQ(end.status, 0);
     EXPECT_EQ(end.err, "");

@@ -53,6 +53,7 @@ class RenderRun {
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
+    if (auto fits = CheckJpegSize(); !fits) return fits;
     auto integrator =
         CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
@@ -77,12 +78,6 @@ class RenderRun {
   Result<void> CheckOutputs() const {
     for (const auto& path : request_.Pictures()) {
       if (auto checked = CheckPictureOutput(path); !checked) return checked;
-      const PixelWindow& crop = request_.render.crop;
-      if (FormatOf(path) != ImageFormat::kJpeg) continue;
-      if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) continue;
-      return Error{ErrorCode::kUsage,
-                   fmt::format("{}: a side of a JPEG picture has at most {} pixels",
-                               Quote(path.string()), kMostJpegSide)};
     }
     for (const auto& path : {request_.stats_json, request_.checkpoint}) {
       if (!path) continue;
@@ -122,6 +117,19 @@ class RenderRun {
                    "--integrator path' follows their light");
       return;
     }
+  }
+
+  /// Comes after the scene, which may say the size.
+  Result<void> CheckJpegSize() const {
+    const PixelWindow& crop = request_.render.crop;
+    if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) return {};
+    for (const auto& path : request_.Pictures()) {
+      if (FormatOf(path) != ImageFormat::kJpeg) continue;
+      return Error{ErrorCode::kUsage,
+                   fmt::format("{}: a side of a JPEG picture has at most {} pixels",
+                               Quote(path.string()), kMostJpegSide)};
+    }
+    return {};
   }
 
   Result<void> CheckMemory(const Integrator& integrator) const {
@@ -232,7 +240,7 @@ class RenderRun {
   Result<void> Write(const std::filesystem::path& path, Encode encode) {
     const Result<std::string> bytes =
         Timed(&statistics_.seconds.encode, [&] { return encode(*FormatOf(path)); });
-    if (!bytes) return bytes.error();
+    if (!bytes) return WithPath(path, bytes.error());
     return Timed(&statistics_.seconds.write, [&] { return WriteOutput(path, *bytes); });
   }
 

@@ -306,6 +306,18 @@ TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
                    "--stats-json: 'scene.txt' is the scene, which would be overwritten");
 }
 
+// What counts is the part that is written, and the size may be the scene's.
+TEST_F(CandelaRenderTest, TheSizeOfAJpegIsThatOfTheFile) {
+  const ProgramEnd small = Candela({"render", "scene.txt", "-o", "o.jpg", "--size", "70000", "2",
+                                    "--crop", "9", "0", "99", "2"});
+  EXPECT_EQ(small.status, 0) << small.err;
+  EXPECT_EQ(Picture("o.jpg").Width(), 90);
+  Put(folder_ / "wide.txt", std::string("Film { size 70000 2 }") + kSmallScene);
+  ExpectRefusal(
+      Candela({"render", "wide.txt", "-o", "w.jpg"}), 2,
+      "candela render: error: 'w.jpg': a side of a JPEG picture has at most 65500 pixels");
+}
+
 TEST_F(CandelaRenderTest, AFileOfStatisticsThatCannotBeWrittenIsRefusedFirst) {
   const ProgramEnd end = Render({"-o", "o.png", "--stats-json", "missing/s.json"});
   EXPECT_EQ(end.status, 3);

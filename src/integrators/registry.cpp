@@ -21,8 +21,10 @@ void CheckForPath(const Scene& scene, Diagnostics* diagnostics) {
 constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", nullptr,
      &WhittedIntegrator::Create, false, true, false},
-    {"path", "path tracing: light as it is, with all materials and lights", &CheckForPath,
-     &PathIntegrator::Create, true, true, false},
+    {"path",
+     "path tracing: light as it is, with all lights and all materials but Phong "
+     "highlights that are not normalised",
+     &CheckForPath, &PathIntegrator::Create, true, true, false},
     {"light_trace", "the same light, followed from the lights to the camera",
      &LightTraceIntegrator::Check, &LightTraceIntegrator::Create, true, false, true},
 };

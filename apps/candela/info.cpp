@@ -87,7 +87,7 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
   text += Row("render", ToText(settings.render));
   text += Row("film", ToText(settings.film));
   text += TreeRow(loaded.scene->tree());
-  text += Row("memory", fmt::format("{:.1f} MiB, without pictures",
+  text += Row("memory", fmt::format("{:.1f} MiB, textures and background included",
                                     static_cast<double>(loaded.scene->MemoryBytes()) / (1 << 20)));
   return text;
 }

@@ -171,6 +171,7 @@ class SceneCompiler {
     const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
     scene_->lights_.push_back(std::move(light));
+    scene_->light_types_.push_back(node.light->type);
     return is_surface ? index : SceneObject::kNoLight;
   }
 

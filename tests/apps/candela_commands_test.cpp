@@ -149,6 +149,20 @@ TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
   EXPECT_THAT(end.out, HasSubstr("\nmemory      "));
 }
 
+// One light is beyond single precision and left out.
+TEST_F(CandelaTest, InfoCountsTheLightsThatShine) {
+  Put(folder_ / "far.txt",
+      "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 40 } Scene {\n"
+      "  Node { Component<Light> { type point color 1 1 1 } }\n"
+      "  Node { Transform { scale 1e30 1e30 1e30 translate 1e30 0 0 }\n"
+      "         Component<Light> { type point color 1 1 1 } } }\n");
+  const ProgramEnd end = Candela({"info", "far.txt"});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("the light is left out"));
+  EXPECT_THAT(end.out, HasSubstr("\nlights      1 (1 point)\n"));
+  EXPECT_THAT(end.out, HasSubstr(" MiB, textures and background included\n"));
+}
+
 // The floor alone has no bounds.
 TEST_F(CandelaTest, InfoSaysWhenNothingIsBounded) {
   Put(folder_ / "floor.txt",

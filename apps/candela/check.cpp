@@ -10,6 +10,7 @@
 #include "driver/console.h"
 #include "driver/find_scene.h"
 #include "driver/load_scene.h"
+#include "integrators/registry.h"
 
 namespace candela {
 namespace {
@@ -28,11 +29,6 @@ std::string Summary(const std::filesystem::path& path, const LoadedScene& loaded
   return summary + "\n";
 }
 
-Result<void> CheckSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
-  ReadRenderSettings(spec, diagnostics);
-  return {};
-}
-
 }  // namespace
 
 int RunCheckCommand(Words words) {
@@ -44,7 +40,15 @@ int RunCheckCommand(Words words) {
 
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
-  const auto loaded = LoadSceneForUser(*path, CheckSettings);
+  RenderSettings settings;
+  const auto read_settings = [&](const SceneSpec& spec, Diagnostics* diagnostics) {
+    settings = ReadRenderSettings(spec, diagnostics);
+    return Result<void>();
+  };
+  const auto check = [&](const Scene& scene, Diagnostics* diagnostics) {
+    CheckForIntegrator(settings.integrator, scene, diagnostics);
+  };
+  const auto loaded = LoadSceneForUser(*path, read_settings, check);
   if (!loaded) return static_cast<int>(loaded.error().code);
   return PrintResult(parser.program(), Summary(*path, *loaded));
 }

@@ -64,10 +64,6 @@ std::string Verdict(const ImageDifference& difference, const Thresholds& allowed
   return verdict;
 }
 
-Error UsageError(std::string message) {
-  return {ErrorCode::kUsage, std::move(message)};
-}
-
 Result<void> CheckDifferencePath(const std::filesystem::path& path, const std::filesystem::path& a,
                                  const std::filesystem::path& b) {
   if (IsSameFile(path, a) || IsSameFile(path, b)) {

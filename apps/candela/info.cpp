@@ -87,7 +87,7 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
   text += Row("render", ToText(settings.render));
   text += Row("film", ToText(settings.film));
   text += TreeRow(loaded.scene->tree());
-  text += Row("memory", fmt::format("{:.1f} MiB, without pictures",
+  text += Row("memory", fmt::format("{:.1f} MiB, textures and background included",
                                     static_cast<double>(loaded.scene->MemoryBytes()) / (1 << 20)));
   return text;
 }
@@ -115,7 +115,8 @@ int RunInfoCommand(Words words) {
     return Result<void>();
   };
   SceneSpec resolved;
-  const auto loaded = LoadSceneForUser(*path, read_settings, shows_resolved ? &resolved : nullptr);
+  const auto loaded =
+      LoadSceneForUser(*path, read_settings, {}, shows_resolved ? &resolved : nullptr);
   if (!loaded) return static_cast<int>(loaded.error().code);
   if (shows_resolved) {
     resolved.render.params = settings.render;

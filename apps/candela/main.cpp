@@ -40,7 +40,7 @@ std::string Help() {
   return help;
 }
 
-int UsageError(std::string_view message) {
+int PrintUsageError(std::string_view message) {
   const int status = PrintError("candela", {ErrorCode::kUsage, std::string(message)});
   fmt::print(stderr, "Run 'candela --help' to see the commands.\n");
   return status;
@@ -53,21 +53,23 @@ int RunCommand(std::string_view name, Words words) {
     names.push_back(command.name);
   }
   names.push_back("help");
-  return UsageError(fmt::format("unknown command {}{}", Quote(name), DidYouMean(name, names)));
+  return PrintUsageError(fmt::format("unknown command {}{}", Quote(name), DidYouMean(name, names)));
 }
 
 int Run(Words words) {
-  if (words.empty()) return UsageError("a command is missing");
+  if (words.empty()) return PrintUsageError("a command is missing");
   const std::string_view first = words[0];
   if (first == "--version") return PrintVersion("candela");
   if (first == "--help" || first == "-h" || (first == "help" && words.size() == 1)) {
     return PrintResult("candela", Help());
   }
   if (first != "help") return RunCommand(first, words.subspan(1));
-  if (words[1] == std::string_view("help")) return PrintResult("candela", Help());
-  if (words.size() > 2) return UsageError(fmt::format("unexpected argument {}", Quote(words[2])));
+  const std::string_view asked = words[1];
+  if (asked == "help" || asked == "--help" || asked == "-h") return PrintResult("candela", Help());
+  if (words.size() > 2)
+    return PrintUsageError(fmt::format("unexpected argument {}", Quote(words[2])));
   static constexpr const char* kExplain[] = {"--help"};
-  return RunCommand(words[1], kExplain);
+  return RunCommand(asked, kExplain);
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "candela/commands.h"
+#include "candela/picture_settings.h"
 #include "candela/render_settings.h"
 #include "candela/table_options.h"
 #include "driver/arg_parser.h"
@@ -14,11 +16,7 @@
 #include "driver/console.h"
 #include "driver/render_request.h"
 #include "image/image_file.h"
-#include "image/tone_curve.h"
 #include "integrators/registry.h"
-#include "integrators/whitted.h"
-#include "math/elementary.h"
-#include "sampling/sampler.h"
 
 namespace candela {
 namespace {
@@ -27,21 +25,13 @@ constexpr const char* kSummary =
     "Renders a scene into a picture. The scene is looked for as given, then among those that ship "
     "with Candela.";
 
-/// How many samples a pixel gets where nobody says it.
-constexpr uint32_t kFilteredSamples = 16;
-constexpr uint32_t kPathSamples = 64;
-
-/// Options that are settings of a scene as well.
-constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
-
-Error UsageError(std::string message) {
-  return {ErrorCode::kUsage, std::move(message)};
-}
-
 /// One command line of `candela render`: its options, and what follows from them together.
 class RenderCommand {
  public:
-  RenderCommand() : parser_("candela render", kSummary, ArgStyle::kGnu), common_(&request_) {
+  RenderCommand()
+      : parser_("candela render", kSummary, ArgStyle::kGnu),
+        common_(&request_),
+        picture_(&request_) {
     request_.program = parser_.program();
     AddOptions();
     AddExamples();
@@ -58,10 +48,10 @@ class RenderCommand {
 
   /// What a scene says about its rendering, for options that were not given.
   void ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics);
-  /// What follows from the options that scenes may set, stored in them.
-  void FinishSettings();
-  RenderSettings Settings() const {
-    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film")};
+  /// What `candela render` would use for such a scene.
+  RenderSettings Settings() {
+    picture_.Finish();
+    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film"), request_.integrator};
   }
 
  private:
@@ -70,11 +60,12 @@ class RenderCommand {
 
   /// What can be said without the scene.
   Result<void> CheckOptions() {
-    if (const auto done = CheckJitter(); !done) return done;
+    if (const auto done = picture_.CheckJitter(); !done) return done;
     if (const auto done = CheckPixel(); !done) return done;
     if (const auto done = FinishIsa(); !done) return done;
     if (const auto done = common_.Finish(parser_); !done) return done;
-    if (const auto done = CheckTone(); !done) return done;
+    if (const auto done = picture_.CheckTone(parser_); !done) return done;
+    if (const auto done = CheckPngBits(); !done) return done;
     if (const auto done = CheckLayers(); !done) return done;
     if (const auto done = CheckCheckpoint(); !done) return done;
     request_.output_options.has_facts = true;
@@ -84,36 +75,27 @@ class RenderCommand {
 
   /// The rest, once the settings of the scene are known.
   Result<void> Finish() {
-    FinishSettings();
+    picture_.Finish();
     if (const auto done = common_.FinishSize(parser_); !done) return done;
     if (const auto done = CheckAbilities(); !done) return done;
     return FinishWindow();
   }
 
-  Result<void> CheckJitter() const;
   Result<void> CheckPixel();
   Result<void> FinishIsa();
-  Result<void> CheckTone() const;
+  Result<void> CheckPngBits() const;
   Result<void> CheckLayers() const;
   Result<void> CheckCheckpoint() const;
   /// Whether the integrator can do what is asked of it.
   Result<void> CheckAbilities() const;
-  void FinishSamples();
-  void FinishSampler();
-  void FinishGrid();
-  void FinishTone();
   Result<void> FinishWindow();
-  /// Whether the picture is one of light transport, which has defaults of its own.
-  bool IsPhysical() const { return FindIntegrator(request_.integrator)->is_physical; }
 
   RenderRequest request_;
   ArgParser parser_;
   CommonOptions common_;
-  bool jitter_ = false;
-  std::string png_bits_ = "8", sampler_ = "sobol";
-  std::optional<std::string> filter_, grid_, isa_, tonemap_;
-  std::optional<float> exposure_;
-  std::optional<uint32_t> samples_;
+  PictureSettings picture_;
+  std::string png_bits_ = "8";
+  std::optional<std::string> isa_;
   PixelWindow crop_;
   RenderRequest::PixelPosition pixel_{};
 };
@@ -127,11 +109,7 @@ void RenderCommand::AddOptions() {
   parser_.Option("png-bits", {Choice("BITS", &png_bits_, {"8", "16"})},
                  "bits of each channel in .png files: 8 (default) or 16");
   parser_.Option("aov", {LayerNames(&render.layers)}, LayerSummaries());
-  parser_.Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
-                 kInFilm);
-  parser_.Option("exposure", {Real("EV", &exposure_)},
-                 "brightness of .png and .jpg files in stops: 1 doubles the light (default 0)",
-                 kInFilm);
+  picture_.AddTone(&parser_);
 
   parser_.Group("Frame");
   common_.AddFrame(&parser_);
@@ -140,46 +118,13 @@ void RenderCommand::AddOptions() {
                   Whole("Y1", &crop_.y1, 1)},
                  "render only the columns from X0 and the rows from Y0 up to, not including, X1 "
                  "and Y1, counted from the top left corner");
-  parser_.Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
-                 "whether the positions of the outermost pixels lie on the edge of the view, as in "
-                 "the course, or half a pixel inside (default corners, with path and light_trace "
-                 "centres)",
-                 kInFilm);
+  picture_.AddGrid(&parser_);
 
   parser_.Group("Light");
-  parser_.Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
-                 IntegratorSummaries(), kInRender);
-  common_.AddLight(&parser_, "0, with path and light_trace as many as it takes");
-  IntegratorOptions& light = request_.integrator_options;
-  parser_.Option(
-      "diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
-      "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
-      kInRender);
-  parser_.Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
-                 "with path and light_trace: those by mirrors (default all)", kInRender);
-  parser_.Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
-                 "with path and light_trace: those through surfaces (default all)", kInRender);
+  picture_.AddLight(&parser_, &common_);
 
   parser_.Group("Samples");
-  parser_.Option("samples", {Whole("N", &samples_, 1)},
-                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
-                             "light_trace {})",
-                             kFilteredSamples, kPathSamples),
-                 kInRender);
-  parser_.Option(
-      "filter", {Choice("NAME", &filter_, FilterNames())},
-      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
-      kInFilm);
-  parser_.Option("sampler", {Choice("NAME", &sampler_, SamplerNames())}, SamplerSummaries(),
-                 kInRender);
-  parser_.Option("clamp", {Positive("X", &render.clamp)},
-                 "darken samples of which a channel is above X, colour kept: less noise, but the "
-                 "picture loses light, and it is said how much (default off)",
-                 kInRender);
-  parser_.Flag("jitter", &jitter_,
-               "the course's 4x4 samples of each pixel, with --filter tent weighed");
-  parser_.Option("seed", {Whole("N", &render.seed, 0, 4294967295)},
-                 "another number gives other random positions (default 0)", kInRender);
+  picture_.AddSamples(&parser_);
 
   parser_.Group("Work");
   parser_.Option("threads", {Whole("N", &request_.threads, 1, 1024)},
@@ -216,51 +161,8 @@ void RenderCommand::ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics
                        fmt::format("'size' expects sides of at most {} pixels", kLargestCount),
                        fits.error().code);
   }
-  if (!jitter_) return;
-  // Whoever asks for the course's samples does not get those of the scene.
-  if (!parser_.Has("samples")) samples_.reset();
-  if (!parser_.Has("filter")) filter_.reset();
-}
-
-void RenderCommand::FinishSettings() {
-  FinishSamples();
-  FinishGrid();
-  FinishTone();
-  auto& bounces = request_.integrator_options.bounces;
-  if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
-  FinishSampler();
-}
-
-Result<void> RenderCommand::CheckJitter() const {
-  if (jitter_ && samples_) return UsageError("--jitter and --samples: give one of them");
-  if (jitter_ && filter_ && *filter_ != "tent") {
-    return UsageError("--jitter goes with --filter tent only; use --samples with other filters");
-  }
-  return {};
-}
-
-void RenderCommand::FinishSamples() {
-  RenderOptions& render = request_.render;
-  if (jitter_) {
-    render.pattern = filter_ ? SamplePattern::kStrataTent : SamplePattern::kStrata;
-    render.samples = kStrataSamples;
-    return;
-  }
-  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
-  if (!samples_) samples_ = usual;
-  render.samples = *samples_;
-  render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
-  if (render.pattern == SamplePattern::kCentre) return;
-  if (!filter_) filter_ = "box";
-  render.filter = *filter_;
-}
-
-void RenderCommand::FinishSampler() {
-  RenderOptions& render = request_.render;
-  render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
-  render.drops_negative = IsPhysical();
-  request_.integrator_options.seed = render.seed;
-  request_.integrator_options.sampler = render.sampler;
+  picture_.DropSamplesOfScene(parser_);
+  picture_.CheckForIntegrator(parser_, spec.render.params, diagnostics);
 }
 
 Result<void> RenderCommand::CheckCheckpoint() const {
@@ -271,6 +173,15 @@ Result<void> RenderCommand::CheckCheckpoint() const {
   if (!request_.output) return UsageError("--checkpoint keeps the picture of --output: give both");
   if (request_.render.layers.IsEmpty()) return {};
   return UsageError("--checkpoint and --aov: a checkpoint does not hold layers");
+}
+
+Result<void> RenderCommand::CheckPngBits() const {
+  if (!parser_.Has("png-bits")) return {};
+  const auto pictures = request_.Pictures();
+  const bool has_png = std::ranges::any_of(
+      pictures, [](const auto& path) { return FormatOf(path) == ImageFormat::kPng; });
+  if (has_png) return {};
+  return UsageError("--png-bits is for .png files, of which none would be written");
 }
 
 Result<void> RenderCommand::CheckLayers() const {
@@ -317,7 +228,7 @@ Result<void> RenderCommand::FinishWindow() {
 
 Result<void> RenderCommand::CheckPixel() {
   if (!parser_.Has("pixel")) return {};
-  for (const char* output : {"output", "normals", "depth", "stats-json", "crop"}) {
+  for (const char* output : {"output", "normals", "depth", "stats", "stats-json", "crop"}) {
     if (parser_.Has(output)) {
       return UsageError(fmt::format("--pixel renders nothing, so --{} cannot be given", output));
     }
@@ -333,36 +244,11 @@ Result<void> RenderCommand::FinishIsa() {
   return UsageError(fmt::format("--isa: this processor does not know {}", *isa_));
 }
 
-Result<void> RenderCommand::CheckTone() const {
-  if (request_.output && !IsForDisplays(*FormatOf(*request_.output))) {
-    for (const char* name : {"tonemap", "exposure"}) {
-      if (!parser_.Has(name)) continue;
-      return UsageError(
-          fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
-    }
-  }
-  return {};
-}
-
-void RenderCommand::FinishTone() {
-  if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
-  // Without both the course's quantisation stays as it is.
-  if (*tonemap_ == "none" && !exposure_) return;
-  if (!exposure_) exposure_ = 0.0f;
-  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(*exposure_)};
-}
-
-void RenderCommand::FinishGrid() {
-  if (!grid_) grid_ = IsPhysical() ? "centres" : "corners";
-  request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
-}
-
 }  // namespace
 
 RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
   RenderCommand command;
   command.ReadSettings(spec, diagnostics);
-  command.FinishSettings();
   return command.Settings();
 }
 

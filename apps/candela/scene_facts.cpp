@@ -12,11 +12,8 @@ SceneFacts::SceneFacts(const LoadedScene& loaded) : materials(loaded.spec.materi
       triangles += object.shape->PrimitiveCount();
     }
   }
-  for (const NodeSpec& node : loaded.spec.nodes) {
-    if (!node.light) continue;
-    ++lights;
-    ++lights_by_type[node.light->type];
-  }
+  lights = loaded.scene->lights().size();
+  for (const std::string& type : loaded.scene->light_types()) ++lights_by_type[type];
 }
 
 std::string Count(uint64_t count, std::string_view noun) {

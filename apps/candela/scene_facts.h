@@ -16,8 +16,8 @@ struct SceneFacts {
   std::map<std::string, uint64_t> objects_by_type, lights_by_type;
   uint64_t objects = 0;  ///< Those that can be hit; singular ones are left out.
   uint64_t triangles =
-      0;  ///< Single ones and those of meshes, as often as they stand in the scene.
-  uint64_t lights = 0;
+      0;                ///< Single ones and those of meshes, as often as they stand in the scene.
+  uint64_t lights = 0;  ///< Those that shine; ones that are too far away are left out.
   uint64_t materials = 0;  ///< That the scene describes.
 };
 

@@ -41,15 +41,13 @@ class ArgParser::BlockReader {
         ReportUnused(params[i], option);
         continue;
       }
-      // A word between numbers reads like the name of a further parameter; one that resembles no
-      // such name is what stands in the place of a number.
       const bool is_short = params[i].words.size() < std::max<size_t>(1, option->values.size());
       const bool is_last = i + 1 == params.size();
       if (is_short && is_last && params_.is_damaged) continue;
-      if (is_short && !params[i].words.empty() && !is_last &&
-          !Nearest(params[i + 1].name, known_)) {
+      const Param* word = is_short ? WordBetweenNumbers(params_, i, known_) : nullptr;
+      if (word) {
+        ReportWrong(*option, word->name, params[i].words.size(), word->where);
         ++i;
-        ReportWrong(*option, params[i].name, params[i - 1].words.size(), params[i].where);
       } else {
         Read(params[i], option);
       }

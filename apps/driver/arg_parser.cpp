@@ -11,10 +11,6 @@
 namespace candela {
 namespace {
 
-Error UsageError(std::string message) {
-  return {ErrorCode::kUsage, std::move(message)};
-}
-
 /// "-x" and "--x", but neither "-", which is a common name for a stream, nor "-1" and "-.5".
 bool LooksLikeOption(std::string_view word) {
   if (word.size() < 2 || word[0] != '-') return false;
@@ -283,6 +279,10 @@ std::optional<int> ReadCommandLine(ArgParser& parser, std::span<const char* cons
       break;
   }
   return std::nullopt;
+}
+
+Error UsageError(std::string message) {
+  return {ErrorCode::kUsage, std::move(message)};
 }
 
 std::span<const char* const> WordsOf(int argc, const char* const* argv) {

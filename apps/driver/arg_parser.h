@@ -120,6 +120,9 @@ class ArgParser {
   std::vector<ExampleEntry> examples_;
 };
 
+/// A command line that is wrong.
+Error UsageError(std::string message);
+
 /// What follows the name of the program.
 std::span<const char* const> WordsOf(int argc, const char* const* argv);
 

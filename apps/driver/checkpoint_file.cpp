@@ -1,11 +1,8 @@
 #include "driver/checkpoint_file.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "base/files.h"
-#include "base/text.h"
 #include "driver/picture_files.h"
 
 namespace candela {
@@ -13,13 +10,10 @@ namespace candela {
 Result<void> CheckpointFile::Load() {
   std::error_code ignored;
   if (!std::filesystem::exists(path_, ignored)) return {};
-  const auto with_path = [this](const Error& error) {
-    return Error{error.code, fmt::format("{}: {}", Quote(path_.string()), error.message)};
-  };
   const Result<std::string> bytes = ReadFile(path_);
-  if (!bytes) return with_path(bytes.error());
+  if (!bytes) return WithPath(path_, bytes.error());
   if (const auto done = DecodeCheckpoint(*bytes, owner_, &job_); !done) {
-    return with_path(done.error());
+    return WithPath(path_, done.error());
   }
   return {};
 }

@@ -103,7 +103,10 @@ void CommonOptions::AddLight(ArgParser* parser, std::string_view default_bounces
   parser->Option("bounces", {Whole("N", &request_.integrator_options.bounces, 0)},
                  fmt::format("reflections after the camera ray (default {})", default_bounces),
                  InBlock(*parser, "Render"));
-  parser->Flag("shadows", &request_.integrator_options.shadows, "let objects block lights",
+  // The course's program knows no other integrator.
+  const bool course = parser->style() == ArgStyle::kCourse;
+  parser->Flag("shadows", &request_.integrator_options.shadows,
+               course ? "let objects block lights" : "with whitted: let objects block lights",
                InBlock(*parser, "Render"));
 }
 

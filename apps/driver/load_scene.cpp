@@ -12,7 +12,8 @@
 namespace candela {
 
 Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
-                                     const SettingsReader& read_settings, SceneSpec* resolved) {
+                                     const SettingsReader& read_settings, const SceneCheck& check,
+                                     SceneSpec* resolved) {
   LoadedScene loaded;
   Diagnostics diagnostics;
   const Stopwatch load_clock;
@@ -24,8 +25,9 @@ Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
   const Stopwatch build_clock;
   loaded.scene = CompileScene(loaded.spec, &diagnostics, resolved);
   loaded.build_seconds = build_clock.Seconds();
+  if (loaded.scene && check) check(*loaded.scene, &diagnostics);
   for (const std::string& line : diagnostics.Lines()) fmt::print(stderr, "{}\n", line);
-  if (!loaded.scene) return Error{diagnostics.Code(), {}};
+  if (diagnostics.HasErrors()) return Error{diagnostics.Code(), {}};
   loaded.warnings = diagnostics.WarningCount();
   return loaded;
 }

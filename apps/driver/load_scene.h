@@ -24,11 +24,15 @@ struct LoadedScene {
 /// goes to the diagnostics; an error concerns the command line.
 using SettingsReader = std::function<Result<void>(const SceneSpec& spec, Diagnostics* diagnostics)>;
 
+/// What else has to hold for a scene that was compiled.
+using SceneCheck = std::function<void(const Scene& scene, Diagnostics* diagnostics)>;
+
 /// Reads and compiles a scene and prints its errors and warnings on stderr. When there are errors,
 /// the one that is returned has no message: all has been said. One of `read_settings` has.
-/// `resolved`, where it is not null, gets what `CompileScene` makes of it.
+/// `check`, where there is one, is asked about a scene that is sound otherwise. `resolved`, where
+/// it is not null, gets what `CompileScene` makes of it.
 Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
-                                     const SettingsReader& read_settings,
+                                     const SettingsReader& read_settings, const SceneCheck& check,
                                      SceneSpec* resolved = nullptr);
 
 }  // namespace candela

@@ -13,7 +13,8 @@ namespace candela {
 /// itself otherwise. Where nothing is hit it is black.
 Image NormalImage(const std::vector<FirstHit>& hits, const PixelWindow& crop, ImageFormat format);
 
-/// The distances as a grey picture: mapped from the range to 0..1 for PNG, as they are otherwise.
+/// The distances as a grey picture: mapped from the range to 0..1 for PNG and JPEG, as they are
+/// otherwise.
 /// Where nothing is hit it is 0.
 Image DepthImage(const std::vector<FirstHit>& hits, const PixelWindow& crop,
                  const DepthOutput& output, ImageFormat format);

@@ -7,7 +7,7 @@
 #include <xxhash.h>
 
 #include "base/files.h"
-#include "base/text.h"
+#include "driver/picture_files.h"
 #include "sampling/sampler.h"
 #include "scene/compile_scene.h"
 
@@ -42,12 +42,9 @@ std::string SamplerName(SamplerType type) {
 
 Result<std::string> HashScene(const SceneSpec& spec) {
   uint64_t hash = 0;
-  for (const auto& path : InputFiles(spec)) {
+  for (const auto& path : ContentFiles(spec)) {
     const Result<std::string> bytes = ReadFile(path);
-    if (!bytes) {
-      return Error{bytes.error().code,
-                   fmt::format("{}: {}", Quote(path.string()), bytes.error().message)};
-    }
+    if (!bytes) return WithPath(path, bytes.error());
     // The hash of the files before is the seed, and the size is a part of XXH3.
     hash = XXH3_64bits_withSeed(bytes->data(), bytes->size(), hash);
   }

@@ -11,13 +11,10 @@
 #include "driver/console.h"
 
 namespace candela {
-namespace {
 
 Error WithPath(const std::filesystem::path& path, const Error& error) {
   return {error.code, fmt::format("{}: {}", Quote(path.string()), error.message)};
 }
-
-}  // namespace
 
 Result<void> CheckOutput(const std::filesystem::path& path) {
   if (const auto writable = CheckWritable(path); !writable) return WithPath(path, writable.error());

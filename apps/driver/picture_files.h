@@ -8,6 +8,9 @@
 
 namespace candela {
 
+/// The same error with a message that names the path.
+Error WithPath(const std::filesystem::path& path, const Error& error);
+
 /// Checks that a file can be written to `path`. The message of an error names the path.
 Result<void> CheckOutput(const std::filesystem::path& path);
 

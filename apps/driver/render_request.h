@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "driver/load_scene.h"
 #include "image/tone_curve.h"
@@ -53,6 +54,15 @@ struct RenderRequest {
     int x, y;
   };
   std::optional<PixelPosition> explain;
+
+  /// The pictures that will be written.
+  std::vector<std::filesystem::path> Pictures() const {
+    std::vector<std::filesystem::path> paths;
+    if (output) paths.push_back(*output);
+    if (normals) paths.push_back(*normals);
+    if (depth) paths.push_back(depth->path);
+    return paths;
+  }
 };
 
 /// Carries it out: checks the outputs, loads the scene, renders, writes. Prints messages to stderr,

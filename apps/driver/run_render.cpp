@@ -53,6 +53,7 @@ class RenderRun {
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
+    if (auto fits = CheckJpegSize(); !fits) return fits;
     auto integrator =
         CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
@@ -67,30 +68,16 @@ class RenderRun {
   }
 
  private:
-  std::vector<std::filesystem::path> Pictures() const {
-    std::vector<std::filesystem::path> paths;
-    if (request_.output) paths.push_back(*request_.output);
-    if (request_.normals) paths.push_back(*request_.normals);
-    if (request_.depth) paths.push_back(request_.depth->path);
-    return paths;
-  }
-
   std::vector<std::filesystem::path> Outputs() const {
-    std::vector<std::filesystem::path> paths = Pictures();
+    std::vector<std::filesystem::path> paths = request_.Pictures();
     if (request_.stats_json) paths.push_back(*request_.stats_json);
     if (request_.checkpoint) paths.push_back(*request_.checkpoint);
     return paths;
   }
 
   Result<void> CheckOutputs() const {
-    for (const auto& path : Pictures()) {
+    for (const auto& path : request_.Pictures()) {
       if (auto checked = CheckPictureOutput(path); !checked) return checked;
-      const PixelWindow& crop = request_.render.crop;
-      if (FormatOf(path) != ImageFormat::kJpeg) continue;
-      if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) continue;
-      return Error{ErrorCode::kUsage,
-                   fmt::format("{}: a side of a JPEG picture has at most {} pixels",
-                               Quote(path.string()), kMostJpegSide)};
     }
     for (const auto& path : {request_.stats_json, request_.checkpoint}) {
       if (!path) continue;
@@ -100,7 +87,10 @@ class RenderRun {
   }
 
   Result<void> LoadScene() {
-    auto loaded = LoadSceneForUser(request_.scene, read_settings_);
+    const auto check = [this](const Scene& scene, Diagnostics* diagnostics) {
+      CheckForIntegrator(request_.integrator, scene, diagnostics);
+    };
+    auto loaded = LoadSceneForUser(request_.scene, read_settings_, check);
     if (!loaded) return loaded.error();
     loaded_ = *std::move(loaded);
     statistics_.seconds.load = loaded_->load_seconds;
@@ -127,6 +117,19 @@ class RenderRun {
                    "--integrator path' follows their light");
       return;
     }
+  }
+
+  /// Comes after the scene, which may say the size.
+  Result<void> CheckJpegSize() const {
+    const PixelWindow& crop = request_.render.crop;
+    if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) return {};
+    for (const auto& path : request_.Pictures()) {
+      if (FormatOf(path) != ImageFormat::kJpeg) continue;
+      return Error{ErrorCode::kUsage,
+                   fmt::format("{}: a side of a JPEG picture has at most {} pixels",
+                               Quote(path.string()), kMostJpegSide)};
+    }
+    return {};
   }
 
   Result<void> CheckMemory(const Integrator& integrator) const {
@@ -237,7 +240,7 @@ class RenderRun {
   Result<void> Write(const std::filesystem::path& path, Encode encode) {
     const Result<std::string> bytes =
         Timed(&statistics_.seconds.encode, [&] { return encode(*FormatOf(path)); });
-    if (!bytes) return bytes.error();
+    if (!bytes) return WithPath(path, bytes.error());
     return Timed(&statistics_.seconds.write, [&] { return WriteOutput(path, *bytes); });
   }
 

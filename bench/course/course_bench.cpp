@@ -19,6 +19,7 @@
 #include "driver/picture_files.h"
 #include "support/document_table.h"
 #include "support/measured_run.h"
+#include "tests/support/course_folder.h"
 
 namespace candela {
 namespace {
@@ -63,7 +64,8 @@ double MedianOf(const std::vector<double>& sorted) {
 /// The scenes with their course flags. Those with a cube map come again with the course's own
 /// faces, four times as large, where its folder lies beside the project.
 std::vector<BenchRow> MakeRows(const BenchOptions& options) {
-  const fs::path own = "assets/assignment4", course = "../shared/course/assets";
+  const fs::path own = "assets/assignment4";
+  const fs::path course = testing_support::CourseFolder() / "assets";
   std::vector<BenchRow> rows;
   const auto add = [&](std::string name, const fs::path& scene, std::vector<std::string> flags) {
     const std::string side = std::to_string(options.side);

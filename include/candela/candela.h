@@ -8,7 +8,7 @@
 #include "base/files.h"                   // files that are replaced at once or not at all
 #include "base/parallel.h"                // how many threads
 #include "base/result.h"                  // how operations fail
-#include "image/image_file.h"             // pictures as PNG, EXR, HDR, PFM
+#include "image/image_file.h"             // pictures as PNG, JPEG, EXR, HDR, PFM
 #include "integrators/registry.h"         // ways to follow light
 #include "loaders/course/scene_parser.h"  // scene text -> SceneSpec
 #include "render/render_job.h"            // Scene -> Film

@@ -78,6 +78,13 @@ bool Diagnostics::IsFull(const SourceLocation& file) const {
   return found != counts_.end() && found->second.errors >= kMostPerFile;
 }
 
+Result<void> Diagnostics::FirstError() const {
+  const auto first = std::ranges::find(kept_, Severity::kError, &Diagnostic::severity);
+  if (first == kept_.end()) return {};
+  const std::string place = ToString(first->where);
+  return candela::Error{code_, place.empty() ? first->text : place + ": " + first->text};
+}
+
 std::vector<std::string> Diagnostics::Lines() const {
   std::vector<std::string> lines;
   for (const Diagnostic& each : InReadingOrder(kept_)) {

@@ -43,6 +43,8 @@ class Diagnostics {
   /// What the errors are about, as the exit code of a program: the input, unless a later one of the
   /// list of codes is among them.
   ErrorCode Code() const { return code_; }
+  /// Fails with the error that was found first, for those who can pass on only one.
+  Result<void> FirstError() const;
   size_t ErrorCount() const { return error_count_; }
   size_t WarningCount() const { return warning_count_; }
   const std::vector<Diagnostic>& All() const { return kept_; }

@@ -17,7 +17,6 @@ struct ImageDifference {
   double psnr = 0;               ///< -10 log10(mse) in decibels; infinite for equal pictures.
   double largest = 0;            ///< Of all channels.
 
-  bool IsEqual() const { return differing == 0; }
   double LargestInLevels() const { return 255 * largest; }
 
   /// The values of bytes are rounded when they become floats, so the distance of two of them may

@@ -120,6 +120,16 @@ bool ReadPixels(std::string_view* rest, std::vector<Rgbe>* row) {
   return true;
 }
 
+/// The fewest bytes that a row can have. Those are in the coding before 1991: a pixel and its
+/// repeats, of which the third one has the highest digit.
+int64_t LeastBytesOfRow(int64_t width) {
+  constexpr int64_t kReach[] = {1, 1 << 8, 1 << 16, 1 << 24};  // Of a pixel with 0 to 3 repeats.
+  const int64_t left = width % kReach[3];
+  int64_t words = width / kReach[3] * 4;
+  if (left > 0) words += std::lower_bound(std::begin(kReach), std::end(kReach), left) - kReach + 1;
+  return 4 * words;
+}
+
 bool ReadRow(std::string_view* rest, std::vector<Rgbe>* row) {
   const auto byte = [&](size_t i) { return static_cast<uint8_t>((*rest)[i]); };
   // A row of components begins with 2 2 and the width, which no pixel does.
@@ -142,19 +152,21 @@ Result<Image> DecodeHdr(std::string_view bytes, std::vector<std::string>* warnin
   const Result<void> fits =
       CheckImageSize(layout->width, layout->height, 3 * int64_t{sizeof(float)}, most_bytes);
   if (!fits) return fits.error();
-  // However well it is coded, a row begins with one whole pixel.
-  if (static_cast<size_t>(layout->height) > rest.size() / 4) {
+  const int64_t least_bytes = LeastBytesOfRow(layout->width);
+  if (layout->height > static_cast<int64_t>(rest.size()) / least_bytes) {
     return Wrong("there is too little data for a picture of this size");
   }
 
   std::array<float, 256> scale{};  // An exponent of 0 means black.
   for (int e = 1; e < 256; ++e) scale[static_cast<size_t>(e)] = std::ldexp(1.0f, e - 136);
 
-  Image image(static_cast<int>(layout->width), static_cast<int>(layout->height), 3);
-  std::vector<Rgbe> row(static_cast<size_t>(layout->width));
-  for (int i = 0; i < image.Height(); ++i) {
+  Image image;  // Takes its memory once a row has shown that there is a picture.
+  const auto width = static_cast<int>(layout->width), height = static_cast<int>(layout->height);
+  std::vector<Rgbe> row(static_cast<size_t>(width));
+  for (int i = 0; i < height; ++i) {
     if (!ReadRow(&rest, &row)) return Wrong(fmt::format("row {} is damaged or cut off", i + 1));
-    const int y = layout->bottom_first ? image.Height() - 1 - i : i;
+    if (image.IsEmpty()) image = Image(width, height, 3);
+    const int y = layout->bottom_first ? height - 1 - i : i;
     if (layout->right_first) std::reverse(row.begin(), row.end());
     float* out = image.Row(y).data();
     for (const Rgbe& pixel : row) {

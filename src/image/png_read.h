@@ -21,7 +21,6 @@ struct PngImage {
   int Width() const;
   int Height() const;
   int Channels() const;
-  bool IsWords() const { return pixels.index() == 1; }
 
   /// Values from 0 to 1; no gamma.
   Image ToFloat() const;

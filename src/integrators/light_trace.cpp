@@ -128,33 +128,37 @@ LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorO
   if (!powers.empty()) choice_.emplace(powers);
 }
 
-Result<std::unique_ptr<Integrator>> LightTraceIntegrator::Create(const Scene& scene,
-                                                                 const IntegratorOptions& options) {
-  if (const auto checked = CheckPhysical(scene, "light_trace"); !checked) return checked.error();
-  if (const auto checked = CheckMediaAreSymmetric(scene, "light_trace"); !checked) {
-    return checked.error();
-  }
+void LightTraceIntegrator::Check(const Scene& scene, Diagnostics* diagnostics) {
+  CheckPhysical(scene, "light_trace", diagnostics);
+  CheckMediaAreSymmetric(scene, "light_trace", diagnostics);
   const bool shines_from_afar = ShinesFromAfar(scene);
   for (size_t i = 0; i < scene.objects().size(); ++i) {
     const SceneObject& object = scene.objects()[i];
     const bool is_lamp = object.light != SceneObject::kNoLight;
     if (is_lamp && scene.lights()[object.light]->IsFoundByHitsAlone()) {
-      return Error{
-          ErrorCode::kInput,
-          fmt::format("{}: the {} is a lamp whose surface cannot be sampled, so the integrator "
-                      "'light_trace' cannot send out its light; 'path' finds it",
-                      ToString(scene.PlaceOfObject(i)), object.type)};
+      diagnostics->Error(scene.PlaceOfObject(i), [&] {
+        return fmt::format(
+            "the {} is a lamp whose surface cannot be sampled, so the integrator "
+            "'light_trace' cannot send out its light; 'path' finds it",
+            object.type);
+      });
+      continue;
     }
     const Bounds3 bounds = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
     if (shines_from_afar && !bounds.IsFinite()) {
-      return Error{
-          ErrorCode::kInput,
-          fmt::format("{}: the {} has no end, so the integrator 'light_trace' cannot send all "
-                      "of the light from the sky to it; 'path' can, and so can both with a "
-                      "rectangle",
-                      ToString(scene.PlaceOfObject(i)), object.type)};
+      diagnostics->Error(scene.PlaceOfObject(i), [&] {
+        return fmt::format(
+            "the {} has no end, so the integrator 'light_trace' cannot send all "
+            "of the light from the sky to it; 'path' can, and so can both with a "
+            "rectangle",
+            object.type);
+      });
     }
   }
+}
+
+Result<std::unique_ptr<Integrator>> LightTraceIntegrator::Create(const Scene& scene,
+                                                                 const IntegratorOptions& options) {
   return std::unique_ptr<Integrator>(std::make_unique<LightTraceIntegrator>(scene, options));
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "geometry/ball.h"
 #include "integrators/integrator.h"
@@ -34,9 +35,11 @@ struct PathVertex;
 class LightTraceIntegrator final : public Integrator {
  public:
   LightTraceIntegrator(const Scene& scene, const IntegratorOptions& options);
-  /// Fails for materials that are not physical, for bodies that look different from where light
-  /// comes (see `CheckMediaAreSymmetric`), and for light that cannot be sent out: of lamps without
-  /// a sampler, and from the sky on surfaces without end.
+  /// Reports materials that are not physical, bodies that look different from where light comes
+  /// (see `CheckMediaAreSymmetric`), and light that cannot be sent out: of lamps without a sampler,
+  /// and from the sky on surfaces without end.
+  static void Check(const Scene& scene, Diagnostics* diagnostics);
+  /// For scenes that pass the check.
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 

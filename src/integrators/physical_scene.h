@@ -2,13 +2,17 @@
 
 #include <string_view>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "scene/scene.h"
 
 namespace candela {
 
-/// Fails when a material of the scene does what light cannot do; the message names the integrator
-/// that asks.
+/// Reports each material that does what light cannot do, if an object is made of it; the messages
+/// name the integrator that asks.
+void CheckPhysical(const Scene& scene, std::string_view integrator, Diagnostics* diagnostics);
+
+/// Fails with the first of them.
 Result<void> CheckPhysical(const Scene& scene, std::string_view integrator);
 
 }  // namespace candela

@@ -8,18 +8,25 @@
 #include "base/text.h"
 #include "integrators/light_trace.h"
 #include "integrators/path.h"
+#include "integrators/physical_scene.h"
 #include "integrators/whitted.h"
 
 namespace candela {
 namespace {
 
+void CheckForPath(const Scene& scene, Diagnostics* diagnostics) {
+  CheckPhysical(scene, "path", diagnostics);
+}
+
 constexpr IntegratorEntry kIntegrators[] = {
-    {"whitted", "the course's: Phong shading, mirrors, shadows", &WhittedIntegrator::Create, false,
-     true, false},
-    {"path", "path tracing: light as it is, with all materials and lights", &PathIntegrator::Create,
-     true, true, false},
+    {"whitted", "the course's: Phong shading, mirrors, shadows", nullptr,
+     &WhittedIntegrator::Create, false, true, false},
+    {"path",
+     "path tracing: light as it is, with all lights and all materials but Phong "
+     "highlights that are not normalised",
+     &CheckForPath, &PathIntegrator::Create, true, true, false},
     {"light_trace", "the same light, followed from the lights to the camera",
-     &LightTraceIntegrator::Create, true, false, true},
+     &LightTraceIntegrator::Check, &LightTraceIntegrator::Create, true, false, true},
 };
 
 }  // namespace
@@ -33,9 +40,20 @@ const IntegratorEntry* FindIntegrator(std::string_view name) {
   return found == std::end(kIntegrators) ? nullptr : found;
 }
 
+void CheckForIntegrator(std::string_view name, const Scene& scene, Diagnostics* diagnostics) {
+  const IntegratorEntry* entry = FindIntegrator(name);
+  CHECK(entry);
+  if (entry->check) entry->check(scene, diagnostics);
+}
+
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
                                                      const IntegratorOptions& options) {
-  if (const IntegratorEntry* entry = FindIntegrator(name)) return entry->create(scene, options);
+  if (const IntegratorEntry* entry = FindIntegrator(name)) {
+    Diagnostics found;
+    CheckForIntegrator(name, scene, &found);
+    if (const auto is_fit = found.FirstError(); !is_fit) return is_fit.error();
+    return entry->create(scene, options);
+  }
   std::vector<std::string_view> names;
   for (const IntegratorEntry& entry : kIntegrators) names.push_back(entry.name);
   return Error{ErrorCode::kUsage, fmt::format("there is no integrator {}{}; known: {}", Quote(name),

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/diagnostics.h"
 #include "base/result.h"
 #include "integrators/integrator.h"
 #include "sampling/sampler.h"
@@ -30,7 +31,10 @@ struct IntegratorOptions {
 struct IntegratorEntry {
   std::string_view name;
   std::string_view description;  ///< For the help.
-  /// Fails when the scene holds what the integrator does not know.
+  /// Reports what the scene holds that the integrator does not know, with its places; null for one
+  /// that knows everything.
+  void (*check)(const Scene& scene, Diagnostics* diagnostics);
+  /// For scenes of which nothing was reported.
   Result<std::unique_ptr<Integrator>> (*create)(const Scene& scene,
                                                 const IntegratorOptions& options);
   bool is_physical;      ///< Solves light transport; the contract tests hold it to a furnace.
@@ -43,7 +47,11 @@ std::span<const IntegratorEntry> IntegratorEntries();
 /// The row of that name, or null.
 const IntegratorEntry* FindIntegrator(std::string_view name);
 
-/// Creates the integrator `name` for a scene, which has to outlive it.
+/// Reports what keeps the integrator `name`, which there has to be, from a scene.
+void CheckForIntegrator(std::string_view name, const Scene& scene, Diagnostics* diagnostics);
+
+/// Creates the integrator `name` for a scene, which has to outlive it. Fails with the first thing
+/// that keeps it from the scene.
 Result<std::unique_ptr<Integrator>> CreateIntegrator(std::string_view name, const Scene& scene,
                                                      const IntegratorOptions& options);
 

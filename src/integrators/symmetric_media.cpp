@@ -45,27 +45,30 @@ std::vector<Body> BodiesOf(const Scene& scene) {
 
 }  // namespace
 
-Result<void> CheckMediaAreSymmetric(const Scene& scene, std::string_view integrator) {
-  if (scene.interiors().size() < 2) return {};
+void CheckMediaAreSymmetric(const Scene& scene, std::string_view integrator,
+                            Diagnostics* diagnostics) {
+  if (scene.interiors().size() < 2) return;
   const std::vector<Body> bodies = BodiesOf(scene);
+  std::vector<bool> is_reported(scene.objects().size());
   for (size_t i = 0; i < bodies.size(); ++i) {
     const SceneObject& a = scene.objects()[bodies[i].object];
     for (size_t j = i + 1; j < bodies.size() && bodies[j].box.min.x < bodies[i].box.max.x; ++j) {
       const SceneObject& b = scene.objects()[bodies[j].object];
+      const auto [first, second] = std::minmax(bodies[i].object, bodies[j].object);
+      if (is_reported[second]) continue;
       if (!OrderCounts(scene.interiors()[a.interior], scene.interiors()[b.interior])) continue;
       if (!Overlap(bodies[i].box, bodies[j].box)) continue;
-      const auto [first, second] = std::minmax(bodies[i].object, bodies[j].object);
-      return Error{
-          ErrorCode::kInput,
-          fmt::format(
-              "{}: the {} and the {} at {} may overlap and have the same priority, so "
-              "what fills the place depends on where light comes from, which the integrator "
-              "'{}' cannot follow; give them an 'Interior' with different priorities",
-              ToString(scene.PlaceOfObject(second)), scene.objects()[second].type,
-              scene.objects()[first].type, ToString(scene.PlaceOfObject(first)), integrator)};
+      is_reported[second] = true;
+      diagnostics->Error(
+          scene.PlaceOfObject(second),
+          fmt::format("the {} and the {} at {} may overlap and have the same priority, so "
+                      "what fills the place depends on where light comes from, which the "
+                      "integrator '{}' cannot follow; give them an 'Interior' with different "
+                      "priorities",
+                      scene.objects()[second].type, scene.objects()[first].type,
+                      ToString(scene.PlaceOfObject(first)), integrator));
     }
   }
-  return {};
 }
 
 }  // namespace candela

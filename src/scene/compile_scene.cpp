@@ -150,6 +150,10 @@ class SceneCompiler {
     uint32_t light = SceneObject::kNoLight;
     if (node.light) light = CompileLight(node, world_from_node, resolved);
     if (node.object) CompileObject(node, world_from_node, light, resolved);
+    if (!node.object && node.material && MaterialOf(node)) {
+      diagnostics_.Warning(node.material->where,
+                           "there is no object in this node that could be made of the material");
+    }
   }
 
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
@@ -167,6 +171,7 @@ class SceneCompiler {
     const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
     scene_->lights_.push_back(std::move(light));
+    scene_->light_types_.push_back(node.light->type);
     return is_surface ? index : SceneObject::kNoLight;
   }
 
@@ -196,7 +201,7 @@ class SceneCompiler {
     }
     scene_->objects_.push_back({std::move(shape), Transform(world_from_node),
                                 Transform(*object_from_world), *material, light, false, spec.type,
-                                fmt::format("{} of line {}", spec.type, spec.where.line)});
+                                DescriptionOf(spec)});
     const auto& made_of = scene_->materials_[*material];
     SceneObject& object = scene_->objects_.back();
     object.is_textured = made_of && made_of->NeedsTextureCoordinates();
@@ -204,6 +209,15 @@ class SceneCompiler {
     scene_->has_holes_ |= object.has_holes;
     object.interior = InteriorOf(node, made_of.get());
     places_.push_back({world_from_node, where, spec.where});
+  }
+
+  /// For people who know which scene it is: only other files are named.
+  std::string DescriptionOf(const TypedSpec& object) const {
+    const std::string place =
+        spec_.IsInSceneFile(object.where)
+            ? fmt::format("line {}", object.where.line)
+            : fmt::format("{}:{}", DisplayName(*object.where.file), object.where.line);
+    return fmt::format("{} of {}", object.type, place);
   }
 
   /// The index of what fills the node's object.
@@ -373,7 +387,7 @@ class SceneCompiler {
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.
 };
 
-std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
+std::vector<std::filesystem::path> ContentFiles(const SceneSpec& spec) {
   std::vector<std::filesystem::path> files = spec.files;
   if (!spec.background.cube_map.empty()) {
     const auto faces = CubeMap::FaceFiles(spec.folder / spec.background.cube_map);
@@ -388,6 +402,12 @@ std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
       files.push_back(spec.folder / spec.PathInScene(file->words[0]));
     }
   }
+  return files;
+}
+
+std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec) {
+  std::vector<std::filesystem::path> files = ContentFiles(spec);
+  files.insert(files.end(), spec.mtl_files.begin(), spec.mtl_files.end());
   return files;
 }
 

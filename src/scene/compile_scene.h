@@ -10,8 +10,11 @@
 
 namespace candela {
 
-/// The files that a scene is made of: its own, its meshes, and the pictures of its background. None
-/// of them may be an output.
+/// The files that a scene is made of: its own, its meshes, and the pictures of its background and
+/// its textures.
+std::vector<std::filesystem::path> ContentFiles(const SceneSpec& spec);
+
+/// These, and the ones that were read without an effect on the picture. None may be an output.
 std::vector<std::filesystem::path> InputFiles(const SceneSpec& spec);
 
 /// Builds what a description says: objects from the registries, transforms, textures, the search

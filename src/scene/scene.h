@@ -72,6 +72,8 @@ class Scene {
   const std::vector<SceneObject>& objects() const { return objects_; }
   /// In the order of the scene file, the ones of area included.
   const std::vector<std::unique_ptr<const Light>>& lights() const { return lights_; }
+  /// What each of them is called in the registry of lights.
+  const std::vector<std::string>& light_types() const { return light_types_; }
   const Material& material(const HitRecord& hit) const {
     return *materials_[objects_[hit.object].material];
   }
@@ -98,6 +100,7 @@ class Scene {
   Background background_;
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;
+  std::vector<std::string> light_types_;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<SourceLocation> material_places_;
   std::vector<SourceLocation> object_places_;

@@ -22,7 +22,7 @@ struct SceneObject {
   uint32_t light = kNoLight;        ///< The area light whose surface this is.
   bool is_instance = false;         ///< Its triangles have a tree of their own, which it shares.
   std::string type;                 ///< As in the registry of shapes.
-  std::string description;          ///< For people: type and line in the scene file.
+  std::string description;          ///< For people: type and line, with the file if another.
   bool is_textured = false;         ///< The material asks for texture coordinates.
   uint32_t interior = kNoInterior;  ///< What light gets into, in the scene's list.
   bool has_holes = false;           ///< The material lets light through as if nothing were there.

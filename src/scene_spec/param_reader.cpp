@@ -343,11 +343,9 @@ void ParamReader::Finish() {
     const auto [param, expected] = *shortage++;
     const bool is_last = i + 1 == params.size();
     if (is_last && params_.is_damaged) continue;  // The rest of it may be what could not be read.
-    // A word between numbers reads like the name of a further parameter; one that resembles no
-    // such name is what stands in the place of a number.
-    if (!is_last && !param->words.empty() && !Nearest(params[i + 1].name, known_)) {
+    if (const Param* word = WordBetweenNumbers(params_, i, known_)) {
       ++i;
-      Error(params[i].where, WrongWord(param->name, expected, params[i].name));
+      Error(word->where, WrongWord(param->name, expected, word->name));
     } else {
       Error(param->where, WrongCount(param->name, expected, param->words.size()));
     }
@@ -390,6 +388,13 @@ std::string WrongCount(std::string_view name, std::string_view expected, size_t 
   return fmt::format(
       "'{}' expects {}, found {}", name, expected,
       found == 0 ? "nothing" : fmt::format("{} number{}", found, found == 1 ? "" : "s"));
+}
+
+const Param* WordBetweenNumbers(const ParamSet& set, size_t i,
+                                std::span<const std::string_view> known) {
+  if (i + 1 == set.params.size() || set.params[i].words.empty()) return nullptr;
+  const Param& next = set.params[i + 1];
+  return Nearest(next.name, known) ? nullptr : &next;
 }
 
 }  // namespace candela

@@ -134,4 +134,10 @@ std::string WrongWord(std::string_view name, std::string_view expected, std::str
 /// The same for a wrong number of numbers.
 std::string WrongCount(std::string_view name, std::string_view expected, size_t found);
 
+/// Of a parameter with too few numbers, the i-th of its set: the one behind it, if that is none but
+/// a word in the place of a number. A word between numbers reads like the name of a further
+/// parameter; one that resembles no name in `known` is meant as a value. Null otherwise.
+const Param* WordBetweenNumbers(const ParamSet& set, size_t i,
+                                std::span<const std::string_view> known);
+
 }  // namespace candela

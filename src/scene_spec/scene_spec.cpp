@@ -1,18 +1,33 @@
 #include "scene_spec/scene_spec.h"
 
+#include <algorithm>
+
 namespace candela {
 namespace fs = std::filesystem;
+namespace {
+
+bool BeginsWith(const fs::path& path, const fs::path& folder) {
+  return path.is_absolute() == folder.is_absolute() &&
+         std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
+             folder.end();
+}
+
+}  // namespace
+
+bool SceneSpec::IsInSceneFile(const SourceLocation& where) const {
+  return !where.file || where.file == file.file || (file.file && *where.file == *file.file);
+}
 
 std::string SceneSpec::PathInScene(const ParamWord& path) const {
-  const auto& written_in = path.where.file;
-  const bool is_in_scene_file =
-      !written_in || written_in == file.file || (file.file && *written_in == *file.file);
-  if (path.text.empty() || is_in_scene_file || fs::path(path.text).is_absolute()) return path.text;
-  const fs::path from = fs::path(*written_in).parent_path();
+  if (path.text.empty() || IsInSceneFile(path.where) || fs::path(path.text).is_absolute()) {
+    return path.text;
+  }
+  const fs::path from = fs::path(*path.where.file).parent_path();
   if (from == folder) return path.text;
-  // An included file was found by way of the folder, unless by an absolute path.
-  const bool is_elsewhere = from.is_absolute() && !folder.is_absolute();
-  return ((is_elsewhere ? from : from.lexically_relative(folder)) / path.text).string();
+  // An included file was found by way of the folder, unless by an absolute path. To that no way
+  // leads back from the folder: when this is a symbolic link, its parent is not the one that it
+  // seems to have.
+  return ((BeginsWith(from, folder) ? from.lexically_relative(folder) : from) / path.text).string();
 }
 
 }  // namespace candela

@@ -116,8 +116,11 @@ struct SceneSpec {
   std::vector<MediumSpec> media;
   /// As `materials_are_damaged`.
   bool media_are_damaged = false;
+  /// Whether a place lies in the file of the scene itself, not in one that it includes.
+  bool IsInSceneFile(const SourceLocation& where) const;
   /// A path that stands in the scene or in a file that it includes, relative to `folder`: paths are
-  /// meant relative to the file in which they stand. Absolute ones and the empty one stay.
+  /// meant relative to the file in which they stand. Absolute ones and the empty one stay; those of
+  /// a file that was included by an absolute path may become absolute.
   std::string PathInScene(const ParamWord& path) const;
 
   /// The hierarchy in the order of the file: each node after its parent. The first is the root.
@@ -127,6 +130,8 @@ struct SceneSpec {
   std::map<std::string, std::shared_ptr<const MeshSpec>> meshes;
   /// The files that were read, the one of the scene first, then those that it includes.
   std::vector<std::filesystem::path> files;
+  /// The files of which the names of materials were read, for warnings alone.
+  std::vector<std::filesystem::path> mtl_files;
 };
 
 }  // namespace candela

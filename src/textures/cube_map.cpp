@@ -76,7 +76,8 @@ std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
     const Result<std::string> bytes = ReadFile(path);
     if (!bytes) {
       found[face].Error(
-          asked, fmt::format("cube map face {}: {}", Quote(path.string()), bytes.error().message));
+          asked, fmt::format("cube map face {}: {}", Quote(path.string()), bytes.error().message),
+          bytes.error().code);
       return;
     }
     const SourceLocation file{std::make_shared<const std::string>(path.string())};
@@ -84,7 +85,7 @@ std::optional<CubeMap> CubeMap::Load(const std::filesystem::path& folder,
     Result<PngImage> png = DecodePng(*bytes, &warnings);
     for (std::string& warning : warnings) found[face].Warning(file, std::move(warning));
     if (!png) {
-      found[face].Error(file, png.error().message);
+      found[face].Error(file, png.error().message, png.error().code);
       return;
     }
     map.faces_[face] = std::visit(

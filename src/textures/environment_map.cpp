@@ -9,23 +9,13 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "image/channels.h"
 #include "image/image_file.h"
 #include "image/size_limit.h"
 #include "textures/lat_long.h"
 
 namespace candela {
 namespace {
-
-Image ToThreeChannels(const Image& image) {
-  Image rgb(image.Width(), image.Height(), 3);
-  const int step = image.Channels() > 2 ? 1 : 0;  // Grey stands for all three.
-  for (int y = 0; y < image.Height(); ++y) {
-    for (int x = 0; x < image.Width(); ++x) {
-      for (int c = 0; c < 3; ++c) rgb.At(x, y, c) = image.At(x, y, c * step);
-    }
-  }
-  return rgb;
-}
 
 /// Reports what cannot be light. False when the picture is of no use.
 bool MakeRadiance(const SourceLocation& file, Image* image, Diagnostics* diagnostics) {
@@ -87,7 +77,7 @@ std::optional<EnvironmentMap> EnvironmentMap::Load(const std::filesystem::path& 
     diagnostics->Error(file, fits.error().message, fits.error().code);
     return std::nullopt;
   }
-  Image radiance = ToThreeChannels(*decoded);
+  Image radiance = WithChannels(*decoded, 3);
   if (!MakeRadiance(file, &radiance, diagnostics)) return std::nullopt;
   return EnvironmentMap(std::move(radiance), scale, rotate_degrees);
 }

@@ -26,7 +26,7 @@ inline Vec2 LatLongOf(Vec3 direction) {
 inline Vec3 DirectionOfLatLong(Vec2 place) {
   const auto [sin_x, cos_x] = SinCos((place.x - 0.5f) * static_cast<float>(2 * kPi));
   const auto [sin_y, cos_y] = SinCos(place.y * static_cast<float>(kPi));
-  return ToFloat({sin_x * sin_y, cos_y, -cos_x * sin_y});
+  return ToFloat(Vec3d{sin_x * sin_y, cos_y, -cos_x * sin_y});
 }
 
 /// A place moved to the right by a part of a turn, back into [0, 1).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "math/elementary.h"
 
@@ -13,7 +14,9 @@ namespace {
 Image Halved(const Image& image) {
   const int width = std::max(1, image.Width() / 2), height = std::max(1, image.Height() / 2);
   Image half(width, height, 3);
-  const auto first = [](int i, int size, int from) { return i * from / size; };
+  const auto first = [](int i, int size, int from) {
+    return static_cast<int>(int64_t{i} * from / size);
+  };
   for (int y = 0; y < height; ++y) {
     const int y0 = first(y, height, image.Height()), y1 = first(y + 1, height, image.Height());
     for (int x = 0; x < width; ++x) {
@@ -23,7 +26,7 @@ Image Halved(const Image& image) {
         for (int j = y0; j < y1; ++j) {
           for (int i = x0; i < x1; ++i) sum += image.At(i, j, c);
         }
-        half.At(x, y, c) = sum / static_cast<float>((y1 - y0) * (x1 - x0));
+        half.At(x, y, c) = sum / static_cast<float>(int64_t{y1 - y0} * (x1 - x0));
       }
     }
   }

@@ -24,14 +24,16 @@ using testing_support::ExpectEstimate;
 /// A white floor z = 0 that the camera sees from the side, where no lamp is in the way, and a lamp.
 /// The camera looks at the origin.
 std::string FloorUnder(const std::string& lamp) {
+  const bool has_surface = lamp.find("Component<Object>") != std::string::npos;
+  const std::string black = has_surface ? "Component<Material> { index 1 } " : "";
   return "Camera { center 0 -4 0.5  direction 0 4 -0.5  up 0 0 1  fov 30 }\n"
          "Materials { Material { type diffuse albedo 1 1 1 } Material { type diffuse albedo 0 0 0 "
          "} "
          "}\n"
          "Scene { Node { Component<Material> { index 0 } "
          "Component<Object> { type plane normal 0 0 1 offset 0 } }\n"
-         "Node { Component<Material> { index 1 } " +
-         lamp + " } }";
+         "Node { " +
+         black + lamp + " } }";
 }
 
 IntegratorOptions OneBounce() {

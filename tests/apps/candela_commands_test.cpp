@@ -12,7 +12,7 @@ using CandelaTest = ProgramTest;
 
 TEST_F(CandelaTest, ShowsItsCommands) {
   for (const std::vector<std::string>& ask :
-       {std::vector<std::string>{"--help"}, {"-h"}, {"help"}}) {
+       {std::vector<std::string>{"--help"}, {"-h"}, {"help"}, {"help", "--help"}}) {
     const ProgramEnd end = Candela(ask);
     EXPECT_EQ(end.status, 0);
     EXPECT_EQ(end.err, "");
@@ -103,6 +103,25 @@ TEST_F(CandelaTest, CheckReportsWhatIsWrongAndSumsUpNothing) {
                 "candela check: error: unexpected argument 'more.txt'");
 }
 
+// The files occupy no space on the disk.
+TEST_F(CandelaTest, WhatDoesNotFitIntoMemoryHasAStatusOfItsOwn) {
+  const std::string kCamera = "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 40 } ";
+  std::filesystem::create_directory(folder_ / "sky");
+  for (const char* huge : {"huge.txt", "huge.obj", "sky/left.png"}) {
+    Put(folder_ / huge, "");
+    std::filesystem::resize_file(folder_ / huge, uintmax_t{1} << 43);
+  }
+  Put(folder_ / "mesh.txt", kCamera +
+                                "Materials { Material { } } Scene { Component<Material> { "
+                                "index 0 } Component<Object> { type mesh obj_file huge.obj } }");
+  Put(folder_ / "sky.txt", kCamera + "Background { cube_map sky } Scene { }");
+  for (const char* scene : {"huge.txt", "mesh.txt", "sky.txt"}) {
+    const ProgramEnd end = Candela({"check", scene});
+    EXPECT_EQ(end.status, 4) << scene;
+    EXPECT_THAT(end.err, HasSubstr("does not fit into memory\n"));
+  }
+}
+
 TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
   Put(folder_ / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
   Put(folder_ / "mesh.txt",
@@ -128,6 +147,20 @@ TEST_F(CandelaTest, InfoShowsWhatASceneHolds) {
   EXPECT_THAT(end.out, HasSubstr("\nfilm        tonemap none, size 800 800, "));
   EXPECT_THAT(end.out, HasSubstr("\ntree        "));
   EXPECT_THAT(end.out, HasSubstr("\nmemory      "));
+}
+
+// One light is beyond single precision and left out.
+TEST_F(CandelaTest, InfoCountsTheLightsThatShine) {
+  Put(folder_ / "far.txt",
+      "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 40 } Scene {\n"
+      "  Node { Component<Light> { type point color 1 1 1 } }\n"
+      "  Node { Transform { scale 1e30 1e30 1e30 translate 1e30 0 0 }\n"
+      "         Component<Light> { type point color 1 1 1 } } }\n");
+  const ProgramEnd end = Candela({"info", "far.txt"});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("the light is left out"));
+  EXPECT_THAT(end.out, HasSubstr("\nlights      1 (1 point)\n"));
+  EXPECT_THAT(end.out, HasSubstr(" MiB, textures and background included\n"));
 }
 
 // The floor alone has no bounds.

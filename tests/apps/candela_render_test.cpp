@@ -109,7 +109,7 @@ TEST_F(CandelaRenderTest, PathsHaveUsualValuesOfTheirOwn) {
 TEST_F(CandelaRenderTest, LightPathsHaveTheUsualValuesOfPaths) {
   UseDiffuseScene();
   ExpectRefusal(Render({"-o", "o.exr", "--integrator", "light_trace"}), 1,
-                "candela render: error: scene.txt:6:30: the plane has no end, so the integrator "
+                "scene.txt:6:30: error: the plane has no end, so the integrator "
                 "'light_trace' cannot send all of the light from the sky to it; 'path' can, and so "
                 "can both with a rectangle");
   UseDiffuseScene("rectangle width 9 height 9");
@@ -200,6 +200,10 @@ TEST_F(CandelaRenderTest, PngsShowLightThroughACurve) {
   EXPECT_EQ(value({"--tonemap", "none"}), plain);
   EXPECT_NEAR(value({"--tonemap", "srgb"}), SrgbFromLinear(plain), 0.02f);
   EXPECT_LT(value({"--exposure", "-1"}), plain);
+  EXPECT_EQ(value({}), plain);
+  const size_t usual = Fingerprint("o.png");
+  EXPECT_EQ(value({"--exposure", "0"}), plain);
+  EXPECT_EQ(Fingerprint("o.png"), usual) << "the default is no other rounding";
   EXPECT_GT(value({"--tonemap", "agx", "--exposure", "2"}), value({"--tonemap", "agx"}));
 
   // What path tracing gives is light, and shown as light.
@@ -288,10 +292,30 @@ TEST_F(CandelaRenderTest, RefusesOptionsThatDoNotGoTogether) {
   ExpectUsageError({"--pixel", "40", "0"}, "--pixel: lies outside the picture of 40 x 30 pixels");
   ExpectUsageError({"--pixel", "4", "0", "-o", "o.png"},
                    "--pixel renders nothing, so --output cannot be given");
+  ExpectUsageError({"--pixel", "4", "0", "--stats"},
+                   "--pixel renders nothing, so --stats cannot be given");
+  ExpectUsageError({"-o", "o.exr", "--depth", "0", "9", "d.jpg", "--png-bits", "16"},
+                   "--png-bits is for .png files, of which none would be written");
+  ExpectUsageError({"--normals", "n.png", "--tonemap", "agx"},
+                   "--tonemap is for the picture of --output: give both");
+  ExpectUsageError({"--normals", "n.png", "--exposure", "3"},
+                   "--exposure is for the picture of --output: give both");
   ExpectUsageError({"-o", "a.json", "--stats-json", "a.json"},
                    "--output and --stats-json both write 'a.json'");
   ExpectUsageError({"-o", "o.png", "--stats-json", "scene.txt"},
                    "--stats-json: 'scene.txt' is the scene, which would be overwritten");
+}
+
+// What counts is the part that is written, and the size may be the scene's.
+TEST_F(CandelaRenderTest, TheSizeOfAJpegIsThatOfTheFile) {
+  const ProgramEnd small = Candela({"render", "scene.txt", "-o", "o.jpg", "--size", "70000", "2",
+                                    "--crop", "9", "0", "99", "2"});
+  EXPECT_EQ(small.status, 0) << small.err;
+  EXPECT_EQ(Picture("o.jpg").Width(), 90);
+  Put(folder_ / "wide.txt", std::string("Film { size 70000 2 }") + kSmallScene);
+  ExpectRefusal(
+      Candela({"render", "wide.txt", "-o", "w.jpg"}), 2,
+      "candela render: error: 'w.jpg': a side of a JPEG picture has at most 65500 pixels");
 }
 
 TEST_F(CandelaRenderTest, AFileOfStatisticsThatCannotBeWrittenIsRefusedFirst) {

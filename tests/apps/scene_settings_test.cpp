@@ -123,6 +123,53 @@ TEST_F(SceneSettingsTest, WrongOnesArePlaced) {
             "nothing\n");
 }
 
+// Light paths have no samples to clamp. Whoever asks for them cannot switch off what a scene
+// clamps.
+TEST_F(SceneSettingsTest, ThoseThatExcludeEachOtherArePlaced) {
+  EXPECT_EQ(
+      Checked("Render { integrator light_trace clamp 2 }"),
+      "scene.txt:1:33: error: 'clamp': what light paths of 'light_trace' bring has no samples "
+      "to clamp\n");
+  PutScene("Render { integrator path clamp 2 samples 1 }");
+  const ProgramEnd end =
+      Candela({"render", "scene.txt", "-o", "a.exr", "--integrator", "light_trace"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err,
+            "scene.txt:1:26: warning: 'clamp' has no effect: what light paths of 'light_trace' "
+            "bring has no samples to clamp\n");
+  ExpectRefusal(Candela({"render", "scene.txt", "-o", "a.exr", "--integrator", "light_trace",
+                         "--clamp", "3"}),
+                2,
+                "candela render: error: --clamp: what light paths of 'light_trace' bring has no "
+                "samples to clamp");
+}
+
+// They are warned of where they stand, in the scene or on the command line, and change nothing.
+TEST_F(SceneSettingsTest, ThoseThatTheIntegratorDoesNotKnowHaveNoEffect) {
+  constexpr const char* kShadows = " has no effect with the integrator 'path'\n";
+  constexpr const char* kBounces = " has no effect with the integrator 'whitted'\n";
+  const auto err = [&](const std::string& settings, std::vector<std::string> arguments) {
+    PutScene(settings);
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", "o.png", "--size", "9", "9"});
+    const ProgramEnd end = Candela(arguments);
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  EXPECT_EQ(err("", {"--integrator", "path", "--shadows"}),
+            std::string("candela render: warning: --shadows") + kShadows);
+  EXPECT_EQ(err("Render { shadows true }", {"--integrator", "path"}),
+            std::string("scene.txt:1:10: warning: 'shadows'") + kShadows);
+  EXPECT_EQ(err("Render { shadows true }", {"--integrator", "path", "--shadows=false"}), "");
+  EXPECT_EQ(err("Render { integrator path diffuse_bounces 1 }", {"--integrator", "whitted"}),
+            std::string("scene.txt:1:26: warning: 'diffuse_bounces'") + kBounces);
+  EXPECT_EQ(err("", {"--mirror-bounces", "1", "--transmission-bounces", "2"}),
+            std::string("candela render: warning: --mirror-bounces") + kBounces +
+                "candela render: warning: --transmission-bounces" + kBounces);
+
+  PutScene("Render { integrator path shadows true }");
+  EXPECT_THAT(Candela({"info", "--resolved", "scene.txt"}).out, HasSubstr("shadows false"));
+}
+
 // They are about the machine and the files of whoever renders.
 TEST_F(SceneSettingsTest, ScenesCannotSetEverything) {
   for (const char* name : {"threads", "output", "quiet", "isa", "stats_json", "png_bits"}) {
@@ -183,11 +230,50 @@ TEST_F(SceneSettingsTest, IncludedFilesAreNotOverwritten) {
   EXPECT_EQ(Bytes("parts.png"), "Film { size 9 9 }");
 }
 
+// Two of the four materials are wrong and worn, one of them twice; one that nobody wears is no
+// harm.
 TEST_F(SceneSettingsTest, PathsPlaceTheMaterialsThatTheyDoNotKnow) {
-  Put(folder_ / "scene.txt", kSmallScene);
-  const ProgramEnd end = Candela({"render", "scene.txt", "-o", "o.png", "--integrator", "path"});
-  EXPECT_EQ(end.status, 1);
-  EXPECT_THAT(end.err, HasSubstr("scene.txt:5:3: the material has a Phong highlight"));
+  std::string nodes;
+  for (const char* worn : {"3", "0", "1", "3"}) {
+    nodes += fmt::format(
+        "Node {{ Component<Material> {{ index {} }} Component<Object> {{ type sphere radius 1 }} "
+        "}}\n",
+        worn);
+  }
+  const auto put = [&](const std::string& settings) {
+    Put(folder_ / "scene.txt", settings +
+                                   "\nCamera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 }\n"
+                                   "Materials {\n"
+                                   "  Material { specular 0.5 0.5 0.5 }\n"
+                                   "  Material { }\n"
+                                   "  Material { specular 1 1 1 }\n"
+                                   "  Material { specular 0.1 0.1 0.1 } }\nScene {\n" +
+                                   nodes + "}");
+  };
+  const auto lines = [](std::string_view integrator) {
+    std::string all;
+    for (const char* place : {"4:3", "7:3"}) {
+      all += fmt::format(
+          "scene.txt:{}: error: the material has a Phong highlight, or reflects more light than it "
+          "gets, which the integrator '{}' does not know; 'whitted' does, and so does it "
+          "'normalised'\n",
+          place, integrator);
+    }
+    return all;
+  };
+  put("");
+  for (const char* integrator : {"path", "light_trace"}) {
+    const ProgramEnd end =
+        Candela({"render", "scene.txt", "-o", "o.png", "--integrator", integrator});
+    EXPECT_EQ(end.status, 1);
+    EXPECT_EQ(end.err, lines(integrator));
+  }
+  EXPECT_EQ(Candela({"check", "scene.txt"}).status, 0);
+
+  put("Render { integrator path }");
+  const ProgramEnd checked = Candela({"check", "scene.txt"});
+  EXPECT_EQ(checked.status, 1);
+  EXPECT_EQ(checked.err, lines("path"));
 }
 
 }  // namespace

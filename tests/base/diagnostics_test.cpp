@@ -127,5 +127,15 @@ TEST(Diagnostics, TellWhatTheErrorsAreAbout) {
   EXPECT_EQ(diagnostics.Code(), ErrorCode::kResources);
 }
 
+TEST(Diagnostics, PassOnTheFirstError) {
+  Diagnostics diagnostics;
+  diagnostics.Warning(At("a", 1, 1), "odd");
+  EXPECT_TRUE(diagnostics.FirstError());
+  diagnostics.Error(At("a", 3, 2), "wrong");
+  diagnostics.Error(At("a", 1, 1), "wrong too");
+  ASSERT_FALSE(diagnostics.FirstError());
+  EXPECT_EQ(diagnostics.FirstError().error().message, "a:3:2: wrong");
+}
+
 }  // namespace
 }  // namespace candela

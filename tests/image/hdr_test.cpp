@@ -129,16 +129,29 @@ TEST(Hdr, WrongFilesAreErrors) {
   EXPECT_EQ(ErrorOf(kHead + "-Y 0 +X 7\n"), "a picture of 7 x 0 pixels is not possible");
   EXPECT_EQ(ErrorOf(kHead + "-Y 2 +X 1\n" + Bytes({1, 2, 3, 4})),
             "there is too little data for a picture of this size");
-  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 2\n" + Bytes({1, 2, 3, 4})), "row 1 is damaged or cut off");
+  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 2\n" + Bytes({1, 2, 3, 4})),
+            "there is too little data for a picture of this size");
   // A run before any pixel, one that is longer than the row, a literal of no length, the wrong
   // width.
-  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 2\n" + Bytes({1, 1, 1, 2})), "row 1 is damaged or cut off");
+  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 2\n" + Bytes({1, 1, 1, 2, 9, 9, 9, 9})),
+            "row 1 is damaged or cut off");
   EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 2\n" + Bytes({9, 1, 1, 2, 1, 1, 1, 2})),
             "row 1 is damaged or cut off");
   EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 8\n" + Bytes({2, 2, 0, 8, 0, 0, 0, 0})),
             "row 1 is damaged or cut off");
   EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 8\n" + Bytes({2, 2, 0, 9, 137, 1, 137, 1, 137, 1, 137, 1})),
             "row 1 is damaged or cut off");
+}
+
+// The widest row of 16 bytes: a pixel, and 255, 255 * 2^8 and 255 * 2^16 repeats of it.
+TEST(Hdr, TheSizeIsHeldAgainstTheBytes) {
+  const std::string widest = Bytes({128, 0, 0, 129, 1, 1, 1, 255, 1, 1, 1, 255, 1, 1, 1, 255});
+  EXPECT_TRUE(DecodeHdr(kHead + "-Y 1 +X 16777216\n" + widest).ok());
+  constexpr const char* kTooLittle = "there is too little data for a picture of this size";
+  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 16777217\n" + widest), kTooLittle);
+  EXPECT_EQ(ErrorOf(kHead + "-Y 2 +X 65537\n" + widest), kTooLittle);
+  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 178000000\n" + Bytes({1, 2, 3, 4})), kTooLittle);
+  EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 257\n" + widest.substr(0, 8)), kTooLittle);
 }
 
 TEST(Hdr, LimitIsChecked) {

@@ -109,12 +109,13 @@ TEST(PngFormats, EveryColourTypeDepthAndInterlacingGivesItsPixels) {
           ASSERT_EQ(png->Width(), width);
           ASSERT_EQ(png->Height(), height);
           ASSERT_EQ(png->Channels(), format.colour == 3 ? 3 : format.samples);
-          ASSERT_EQ(png->IsWords(), format.depth == 16);
+          ASSERT_EQ(std::holds_alternative<WordImage>(png->pixels), format.depth == 16);
           for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {
               for (int c = 0; c < png->Channels(); ++c) {
-                const int value = png->IsWords() ? std::get<WordImage>(png->pixels).At(x, y, c)
-                                                 : std::get<ByteImage>(png->pixels).At(x, y, c);
+                const int value = std::holds_alternative<WordImage>(png->pixels)
+                                      ? std::get<WordImage>(png->pixels).At(x, y, c)
+                                      : std::get<ByteImage>(png->pixels).At(x, y, c);
                 ASSERT_EQ(value, Expected(format, x, y, c)) << x << " " << y << " " << c;
               }
             }
@@ -199,7 +200,7 @@ TEST(PngFilters, AreUndoneForAllSizesOfAPixel) {
                               Filtered(filter, step, row, prior)));
       ASSERT_TRUE(png.ok()) << png.error().message;
       std::string bytes;
-      if (png->IsWords()) {
+      if (std::holds_alternative<WordImage>(png->pixels)) {
         for (const uint16_t word : std::get<WordImage>(png->pixels).Samples()) {
           bytes.push_back(static_cast<char>(word >> 8));
           bytes.push_back(static_cast<char>(word));

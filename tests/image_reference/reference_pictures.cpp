@@ -11,17 +11,16 @@
 #include "driver/map_images.h"
 #include "integrators/whitted.h"
 #include "render/render_first_hits.h"
+#include "tests/support/course_folder.h"
 #include "tests/support/render_scene.h"
 
 namespace candela::image_reference {
 namespace {
 
 using enum PictureKind;
+using testing_support::CourseFolder;
 using testing_support::CourseScene;
 using testing_support::CourseSceneOf;
-
-// Tests run in the root of the project.
-const std::filesystem::path kCourse = "../shared/course";
 
 constexpr ReferencePicture kPictures[] = {
     {1, kColour, 200}, {1, kColour, 800}, {1, kNormals, 200}, {1, kDepth, 200},
@@ -61,11 +60,11 @@ int64_t KeepHits(const std::vector<FirstHit>& hits, Image* image) {
 
 Comparison Compare(const ReferencePicture& picture) {
   const CourseScene& course = CourseSceneOf(picture.scene);
-  const auto scene = testing_support::SceneOfFile(kCourse / "assets" / course.file);
+  const auto scene = testing_support::SceneOfFile(CourseFolder() / "assets" / course.file);
   if (!scene) return {};
   Comparison result;
   result.reference =
-      testing_support::ReadPictureOf(kCourse / "reference" / (picture.Name() + ".png"));
+      testing_support::ReadPictureOf(CourseFolder() / "reference" / (picture.Name() + ".png"));
   result.compared = result.reference.PixelCount();
 
   const RenderOptions options = testing_support::WholePicture(picture.side, picture.side);
@@ -123,11 +122,12 @@ std::span<const ReferencePicture> ReferencePictures() {
 }
 
 bool HaveReference() {
-  return std::filesystem::is_directory(kCourse / "reference");
+  return std::filesystem::is_directory(CourseFolder() / "reference");
 }
 
 std::string NoReference() {
-  return "not run: the course's scenes and pictures are not there (" + kCourse.string() + ")";
+  return "not run: the course's scenes and pictures are not there (" + CourseFolder().string() +
+         ")";
 }
 
 double Comparison::DifferingPercent() const {

@@ -20,7 +20,7 @@ using testing_support::CompileText;
 
 std::string MessageFor(const std::string& text) {
   const auto scene = CompileText(testing_support::kCamera + text);
-  const auto created = LightTraceIntegrator::Create(*scene, {});
+  const auto created = CreateIntegrator("light_trace", *scene, {});
   return created.ok() ? "" : created.error().message;
 }
 
@@ -84,9 +84,35 @@ TEST(LightTraceCreate, RefusesBodiesThatMayOverlapWithTheSamePriority) {
   EXPECT_EQ(MessageFor(scene(glass, glass, "1 1 1")), "");
 }
 
+// Each of the three meets the others; of a pair the later one is told.
+TEST(LightTraceCheck, ReportsEachBodyAndEachLampOnce) {
+  std::string nodes;
+  for (const char* priority : {"1", "2", "3"}) {
+    nodes += std::string("Node { Component<Object> { type sphere radius ") + priority +
+             " } Component<Material> { name glass } Component<Interior> { medium m" + priority +
+             " } }\n";
+  }
+  const std::string lamp = "Component<Light> { type area radiance 1 1 1 }";
+  const auto scene = CompileText(
+      std::string(testing_support::kCamera) +
+      "Materials { Material { type diffuse } Material { name glass type dielectric } }\n"
+      "Media { Medium { name m1 ior 1.1 } Medium { name m2 ior 1.2 } Medium { name m3 ior 1.3 } }\n"
+      "Scene {\n" +
+      nodes + Floor(lamp) + Floor(lamp) + "}");
+  Diagnostics found;
+  CheckForIntegrator("light_trace", *scene, &found);
+  ASSERT_EQ(found.ErrorCount(), 4u);
+  const auto lines = found.Lines();
+  EXPECT_THAT(lines[0], testing::StartsWith("scene:6:"));
+  EXPECT_THAT(lines[1], testing::StartsWith("scene:7:"));
+  EXPECT_THAT(lines[2], testing::StartsWith("scene:8:"));
+  EXPECT_THAT(lines[3], testing::StartsWith("scene:9:"));
+}
+
 TEST(LightTraceCreate, RefusesMaterialsThatAreNotPhysical) {
   EXPECT_THAT(MessageFor("Materials { Material { type phong diffuse 1 1 1 specular 1 1 1 } } "
-                         "Scene { }"),
+                         "Scene { Component<Material> { index 0 } "
+                         "Component<Object> { type sphere radius 1 } }"),
               HasSubstr("the integrator 'light_trace' does not know"));
 }
 

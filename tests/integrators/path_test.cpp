@@ -89,7 +89,9 @@ TEST(Path, CountsItsRays) {
 TEST(Path, RefusesMaterialsThatAreNotPhysical) {
   const auto scene = CompileText(std::string(kCamera) +
                                  "Materials { Material { diffuse 1 1 1 }\n"
-                                 "Material { diffuse 0.5 0.5 0.5 specular 1 1 1 } } Scene { }");
+                                 "Material { diffuse 0.5 0.5 0.5 specular 1 1 1 } } Scene {\n"
+                                 "Component<Material> { index 1 } "
+                                 "Component<Object> { type sphere radius 1 } }");
   const auto integrator = CreateIntegrator("path", *scene, {});
   ASSERT_FALSE(integrator.ok());
   EXPECT_EQ(integrator.error().code, ErrorCode::kInput);

@@ -1,4 +1,5 @@
 // Every scene of the set through the library: the whole output is compared, line by line.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ std::string Check(const std::filesystem::path& scene) {
     EXPECT_LT(line.size(), 500u);
     output += line + "\n";
   }
-  return output + (is_compiled ? "exit 0\n" : "exit 1\n");
+  return output + fmt::format("exit {}\n", is_compiled ? 0 : static_cast<int>(diagnostics.Code()));
 }
 
 class Malformed : public testing::TestWithParam<std::string> {

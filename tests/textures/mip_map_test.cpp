@@ -62,6 +62,21 @@ TEST(MipMap, KeepsTheMeanOfOddSizes) {
   EXPECT_EQ(map.Lookup({0.5f, 0.5f}, 1).x, 3);
 }
 
+// Columns times columns are beyond 32 bits. The right half of the picture, or its lower one,
+// shines.
+TEST(MipMap, TakesLongStrips) {
+  constexpr int kLength = 65540;
+  Image wide(kLength, 1, 3), high(1, kLength, 3);
+  for (int i = kLength / 2; i < kLength; ++i) wide.At(i, 0, 0) = high.At(0, i, 0) = 1;
+  const MipMap columns(std::move(wide), Wrap::kClamp), rows(std::move(high), Wrap::kClamp);
+  EXPECT_EQ(columns.LevelCount(), 17);
+  EXPECT_EQ(rows.LevelCount(), 17);
+  EXPECT_NEAR(columns.Lookup({0.5f, 0.5f}, 1).x, 0.5f, 1e-4f);
+  EXPECT_NEAR(rows.Lookup({0.5f, 0.5f}, 1).x, 0.5f, 1e-4f);
+  EXPECT_EQ(columns.Lookup({0.99f, 0.5f}, 1e-4f).x, 1);
+  EXPECT_EQ(rows.Lookup({0.5f, 0.01f}, 1e-4f).x, 1);
+}
+
 TEST(MipMap, IsFiniteEverywhere) {
   constexpr float kOdd[] = {0,
                             1,

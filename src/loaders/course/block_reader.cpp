@@ -21,7 +21,7 @@ bool IsOneOf(std::span<const std::string_view> words, std::string_view word) {
 
 bool IsBlockWord(std::string_view word) {
   return IsOneOf(kSectionWords, word) || IsOneOf(kMaterialsWords, word) ||
-         IsOneOf(kTexturesWords, word) || IsOneOf(kNodeWords, word);
+         IsOneOf(kMediaWords, word) || IsOneOf(kTexturesWords, word) || IsOneOf(kNodeWords, word);
 }
 
 bool IsDigit(char c) {

@@ -24,7 +24,7 @@ void LoadMeshes(SceneSpec* spec, Diagnostics* diagnostics) {
     const fs::path path = spec->folder / in_scene;
     const auto [loaded, is_new_file] = by_file.try_emplace(PlaceOf(path));
     if (is_new_file) {
-      loaded->second = LoadObj(path, name.where, diagnostics);
+      loaded->second = LoadObj(path, name.where, diagnostics, &spec->mtl_files);
       spec->files.push_back(path);
     }
     mesh->second = loaded->second;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "base/files.h"
@@ -68,15 +70,17 @@ class Parser {
     } else if (word.text == "Materials") {
       WarnIfRepeated(have_materials_, word);
       have_materials_ = true;
-      ParseMaterials(word);
+      ParseList(word, kMaterialsWords, &Parser::ParseMaterial, &scene_.materials,
+                &scene_.materials_are_damaged);
     } else if (word.text == "Media") {
       WarnIfRepeated(have_media_, word);
       have_media_ = true;
-      ParseMedia(word);
+      ParseList(word, kMediaWords, &Parser::ParseMedium, &scene_.media, &scene_.media_are_damaged);
     } else if (word.text == "Textures") {
       WarnIfRepeated(have_textures_, word);
       have_textures_ = true;
-      ParseTextures(word);
+      ParseList(word, kTexturesWords, &Parser::ParseTexture, &scene_.textures,
+                &scene_.textures_are_damaged);
     } else {
       WarnIfRepeated(!scene_.nodes.empty(), word);
       scene_.nodes = NodeParser(&tokens_, &blocks_, &diagnostics_).Parse(word);
@@ -99,38 +103,31 @@ class Parser {
     section->params.is_damaged |= block.is_damaged;
   }
 
-  void ParseMaterials(const Token& opener) {
-    scene_.materials.clear();
+  /// The blocks of a list, each read by `parse`, in the place of an earlier list.
+  template <class NamedSpec>
+  void ParseList(const Token& opener, std::span<const std::string_view> words,
+                 NamedSpec (Parser::*parse)(const Token& word), std::vector<NamedSpec>* list,
+                 bool* are_damaged) {
+    list->clear();
     const size_t errors_before = diagnostics_.ErrorCount();
     blocks_.OpenBlock(opener);
-    for (Token word = blocks_.NextItem(&opener, kMaterialsWords); word.IsWord();
-         word = blocks_.NextItem(&opener, kMaterialsWords)) {
-      ParseMaterial(word);
+    for (Token word = blocks_.NextItem(&opener, words); word.IsWord();
+         word = blocks_.NextItem(&opener, words)) {
+      list->push_back((this->*parse)(word));
     }
-    scene_.materials_are_damaged = diagnostics_.ErrorCount() > errors_before;
+    *are_damaged = diagnostics_.ErrorCount() > errors_before;
   }
 
-  void ParseMaterial(const Token& word) {
+  MaterialSpec ParseMaterial(const Token& word) {
     const SourceLocation where = tokens_.Where(word);
     ParamSet params = ReadNamedBlock(word);
     MaterialSpec material;
     TakeName(where, word, &params, &material);
     material.material = TakeType(std::move(params), where, word.text, "phong", &diagnostics_);
-    scene_.materials.push_back(std::move(material));
+    return material;
   }
 
-  void ParseTextures(const Token& opener) {
-    scene_.textures.clear();
-    const size_t errors_before = diagnostics_.ErrorCount();
-    blocks_.OpenBlock(opener);
-    for (Token word = blocks_.NextItem(&opener, kTexturesWords); word.IsWord();
-         word = blocks_.NextItem(&opener, kTexturesWords)) {
-      ParseTexture(word);
-    }
-    scene_.textures_are_damaged = diagnostics_.ErrorCount() > errors_before;
-  }
-
-  void ParseTexture(const Token& word) {
+  TextureSpec ParseTexture(const Token& word) {
     const SourceLocation where = tokens_.Where(word);
     ParamSet params = ReadNamedBlock(word);
     TextureSpec texture;
@@ -139,25 +136,18 @@ class Parser {
       diagnostics_.Error(where, "'Texture' needs 'name'");
     }
     texture.texture = TakeType(std::move(params), where, word.text, "", &diagnostics_);
-    scene_.textures.push_back(std::move(texture));
+    return texture;
   }
 
-  void ParseMedia(const Token& opener) {
-    scene_.media.clear();
-    const size_t errors_before = diagnostics_.ErrorCount();
-    blocks_.OpenBlock(opener);
-    for (Token word = blocks_.NextItem(&opener, kMediaWords); word.IsWord();
-         word = blocks_.NextItem(&opener, kMediaWords)) {
-      MediumSpec medium;
-      medium.where = tokens_.Where(word);
-      medium.params = blocks_.ReadParams(word);
-      TakeName(medium.where, word, &medium.params, &medium);
-      if (medium.name.empty() && !medium.params.is_damaged) {
-        diagnostics_.Error(medium.where, "'Medium' needs 'name'");
-      }
-      scene_.media.push_back(std::move(medium));
+  MediumSpec ParseMedium(const Token& word) {
+    MediumSpec medium;
+    medium.where = tokens_.Where(word);
+    medium.params = blocks_.ReadParams(word);
+    TakeName(medium.where, word, &medium.params, &medium);
+    if (medium.name.empty() && !medium.params.is_damaged) {
+      diagnostics_.Error(medium.where, "'Medium' needs 'name'");
     }
-    scene_.media_are_damaged = diagnostics_.ErrorCount() > errors_before;
+    return medium;
   }
 
   ParamSet ReadNamedBlock(const Token& word) {
@@ -283,7 +273,7 @@ SceneSpec LoadScene(const std::filesystem::path& path, Diagnostics* diagnostics)
   const auto file = std::make_shared<const std::string>(path.string());
   const Result<std::string> text = ReadFile(path);
   if (!text) {
-    diagnostics->Error({file, 0, 0}, text.error().message);
+    diagnostics->Error({file, 0, 0}, text.error().message, text.error().code);
     return {};
   }
   SceneSpec scene = ParseScene(file, *text, path.parent_path(), diagnostics);

@@ -98,10 +98,9 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
       product = params.size() == 1 && step->count == kMostNumbers ? matrix : product * matrix;
     } else if (i + 1 == params.size() && steps.is_damaged) {
       // The rest of it may be what could not be read.
-    } else if (count > 0 && i + 1 < params.size() && !Nearest(params[i + 1].name, kNames)) {
-      // A word between numbers was read as the name of a step.
+    } else if (const Param* word = WordBetweenNumbers(steps, i, kNames)) {
       ++i;
-      diagnostics->Error(params[i].where, WrongWord(step->name, step->expected, params[i].name));
+      diagnostics->Error(word->where, WrongWord(step->name, step->expected, word->name));
     } else {
       diagnostics->Error(param.where, WrongCount(step->name, step->expected, count));
     }

@@ -56,8 +56,10 @@ bool AddNames(const fs::path& path, std::string_view text, Names* names, Diagnos
 
 }  // namespace
 
-void CheckMaterials(const ObjContent& content, const std::shared_ptr<const std::string>& file,
-                    const fs::path& folder, Diagnostics* diagnostics) {
+std::vector<fs::path> CheckMaterials(const ObjContent& content,
+                                     const std::shared_ptr<const std::string>& file,
+                                     const fs::path& folder, Diagnostics* diagnostics) {
+  std::vector<fs::path> read;
   Names names, seen;
   bool have_all = true;
   const auto warn = [&](const Token& where, std::string text) {
@@ -68,7 +70,7 @@ void CheckMaterials(const ObjContent& content, const std::shared_ptr<const std::
       if (!seen.emplace(name.text).second) continue;
       if (seen.size() > kMostFiles) {
         warn(name, fmt::format("more than {} MTL files: the others are not read", kMostFiles));
-        return;
+        return read;
       }
       if (!StaysInside(fs::path(name.text))) {
         warn(name, fmt::format("MTL file {}: only files in the folder of the mesh are read",
@@ -81,13 +83,14 @@ void CheckMaterials(const ObjContent& content, const std::shared_ptr<const std::
       if (!text) {
         warn(name, fmt::format("MTL file {}: {}", Quote(name.text), text.error().message));
         have_all = false;
-      } else if (!AddNames(path, *text, &names, diagnostics)) {
-        have_all = false;
+        continue;
       }
+      read.push_back(path);
+      if (!AddNames(path, *text, &names, diagnostics)) have_all = false;
     }
   }
   // The missing names may stand in the missing file.
-  if (!have_all) return;
+  if (!have_all) return read;
   std::vector<Token> missing;
   for (const auto& [name, where] : content.used_materials) {
     if (!names.contains(name)) missing.push_back(where);
@@ -97,6 +100,7 @@ void CheckMaterials(const ObjContent& content, const std::shared_ptr<const std::
   for (const Token& where : missing) {
     warn(where, fmt::format("no MTL file has a material {}", Quote(where.text)));
   }
+  return read;
 }
 
 }  // namespace candela

@@ -19,11 +19,13 @@ MeshSpec ParseObj(std::shared_ptr<const std::string> file, std::string_view text
 }
 
 std::shared_ptr<const MeshSpec> LoadObj(const std::filesystem::path& path,
-                                        const SourceLocation& asked, Diagnostics* diagnostics) {
+                                        const SourceLocation& asked, Diagnostics* diagnostics,
+                                        std::vector<std::filesystem::path>* mtl_files) {
   const Result<std::string> text = ReadFile(path);
   if (!text) {
     diagnostics->Error(asked,
-                       fmt::format("mesh {}: {}", Quote(path.string()), text.error().message));
+                       fmt::format("mesh {}: {}", Quote(path.string()), text.error().message),
+                       text.error().code);
     return nullptr;
   }
   const auto file = std::make_shared<const std::string>(path.string());
@@ -32,7 +34,8 @@ std::shared_ptr<const MeshSpec> LoadObj(const std::filesystem::path& path,
 
   ObjContent content = ObjParser(file, *text, diagnostics).Parse();
   if (!content.has_faces) diagnostics->Error({file, 0, 0}, "the mesh has no faces");
-  CheckMaterials(content, file, path.parent_path(), diagnostics);
+  const auto read = CheckMaterials(content, file, path.parent_path(), diagnostics);
+  if (mtl_files) mtl_files->insert(mtl_files->end(), read.begin(), read.end());
   if (diagnostics->ErrorCount() > errors_before) return nullptr;
   return std::make_shared<const MeshSpec>(std::move(content.mesh));
 }

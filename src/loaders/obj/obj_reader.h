@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "scene_spec/mesh_spec.h"
@@ -29,8 +30,9 @@ MeshSpec ParseObj(std::shared_ptr<const std::string> file, std::string_view text
 /// The mesh may be empty: when all faces are left out.
 ///
 /// MTL files in the OBJ's folder or below it are read too, only to warn of missing files and names;
-/// materials come from the scene.
+/// materials come from the scene. Those that were read are added to `mtl_files`, if it is not null.
 std::shared_ptr<const MeshSpec> LoadObj(const std::filesystem::path& path,
-                                        const SourceLocation& asked, Diagnostics* diagnostics);
+                                        const SourceLocation& asked, Diagnostics* diagnostics,
+                                        std::vector<std::filesystem::path>* mtl_files = nullptr);
 
 }  // namespace candela

@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "loaders/course/scene_parser.h"
 #include "scene/compile_scene.h"
+#include "tests/support/course_folder.h"
 
 namespace candela {
 namespace {
@@ -29,8 +29,7 @@ void ExpectSound(const fs::path& path) {
 }
 
 TEST(CourseScenes, ParseUnchangedWithoutWarnings) {
-  const char* folder = std::getenv("CANDELA_COURSE_ASSETS");
-  const fs::path assets = folder ? folder : "../shared/course/assets";
+  const fs::path assets = testing_support::CourseFolder() / "assets";
   if (!fs::exists(assets)) GTEST_SKIP() << "not run: there is no folder " << assets;
   for (const char* name : kScenes) {
     SCOPED_TRACE(name);

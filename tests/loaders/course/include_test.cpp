@@ -85,6 +85,21 @@ TEST_F(IncludeTest, PathsAreMeantFromTheFileInWhichTheyStand) {
   EXPECT_EQ(spec.PathInScene(file->words[0]), "parts/deep/../wood.png");
 }
 
+// The scene is reached by a link; its folder's parent is not the folder that holds the link.
+TEST_F(IncludeTest, AnAbsoluteIncludeIsFoundFromALinkedFolder) {
+  std::filesystem::create_directories(folder_ / "far/below");
+  Put("parts/a.txt",
+      "Component<Material> { index 0 } "
+      "Component<Object> { type mesh obj_file a.obj }");
+  Put("parts/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  Put("far/below/s.txt", kCamera + "Materials { Material { } } Scene { include " +
+                             (folder_ / "parts/a.txt").string() + " }");
+  std::filesystem::create_directory_symlink("far/below", folder_ / "link");
+  const SceneSpec spec = LoadScene(folder_ / "link/s.txt", &diagnostics_);
+  EXPECT_THAT(diagnostics_.Lines(), IsEmpty());
+  EXPECT_TRUE(spec.meshes.contains((folder_ / "parts/a.obj").string()));
+}
+
 TEST_F(IncludeTest, WhatIsIncludedIsAnInput) {
   Put("s.txt", kCamera + "include a.txt include a.txt Scene { include b.txt }");
   Put("a.txt", "");
@@ -101,6 +116,16 @@ TEST_F(IncludeTest, MistakesNameTheFileInWhichTheyStand) {
   CompileScene(spec, &diagnostics_);
   EXPECT_THAT(diagnostics_.Lines(),
               ElementsAre("parts/p.txt:2:32: error: 'diffuse' expects three numbers, found 'x'"));
+}
+
+TEST_F(IncludeTest, ObjectsOfOtherFilesAreDescribedWithTheFile) {
+  Put("s.txt", kCamera + "Materials { Material { } }\nScene { Component<Material> { index 0 } " +
+                   kSphere + " Node { include parts/p.txt } }");
+  Put("parts/p.txt", "Component<Material> { index 0 }\n" + kSphere);
+  const auto scene = CompileScene(LoadWell(), &diagnostics_);
+  ASSERT_NE(scene, nullptr);
+  EXPECT_EQ(scene->objects()[0].description, "sphere of line 3");
+  EXPECT_EQ(scene->objects()[1].description, "sphere of parts/p.txt:2");
 }
 
 TEST_F(IncludeTest, ACircleIsNamedWhole) {

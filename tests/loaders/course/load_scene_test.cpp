@@ -52,16 +52,20 @@ TEST(LoadScene, ABrokenMeshIsReportedOnce) {
 
 TEST(LoadScene, InputFilesAreAllThatMustNotBeOverwritten) {
   const TempFolder folder;
-  Put(folder / "a.obj", kTriangle);
+  Put(folder / "a.obj", "mtllib a.mtl none.mtl\n" + kTriangle);
+  Put(folder / "a.mtl", "newmtl red\n");
   Put(folder / "s.txt", "Background { cube_map sky }" + kCamera +
                             "Materials { Material { } } Scene { " + MeshNode("a.obj") + "}" +
                             "Textures { Texture { name w type image file w.png } }");
   Diagnostics diagnostics;
   const SceneSpec spec = LoadScene(folder / "s.txt", &diagnostics);
   const auto sky = folder / "sky";
-  EXPECT_THAT(InputFiles(spec), ElementsAre(folder / "s.txt", folder / "a.obj", sky / "left.png",
-                                            sky / "right.png", sky / "up.png", sky / "down.png",
-                                            sky / "front.png", sky / "back.png", folder / "w.png"));
+  std::vector<std::filesystem::path> files = {
+      folder / "s.txt", folder / "a.obj",  sky / "left.png", sky / "right.png", sky / "up.png",
+      sky / "down.png", sky / "front.png", sky / "back.png", folder / "w.png"};
+  EXPECT_EQ(ContentFiles(spec), files);
+  files.push_back(folder / "a.mtl");
+  EXPECT_EQ(InputFiles(spec), files);
 }
 
 TEST(LoadScene, TheScenesOfTheProjectAreSound) {

@@ -1,0 +1,208 @@
+#include "candela/picture_settings.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "candela/table_options.h"
+#include "driver/console.h"
+#include "image/image_file.h"
+#include "image/tone_curve.h"
+#include "integrators/registry.h"
+#include "integrators/whitted.h"
+#include "math/elementary.h"
+#include "sampling/sampler.h"
+
+namespace candela {
+namespace {
+
+/// How many samples a pixel gets where nobody says it.
+constexpr uint32_t kFilteredSamples = 16;
+constexpr uint32_t kPathSamples = 64;
+
+/// Options that are settings of a scene as well.
+constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
+
+}  // namespace
+
+void PictureSettings::AddTone(ArgParser* parser) {
+  parser->Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
+                 kInFilm);
+  parser->Option("exposure", {Real("EV", &exposure_)},
+                 "brightness of .png and .jpg files in stops: 1 doubles the light (default 0)",
+                 kInFilm);
+}
+
+void PictureSettings::AddGrid(ArgParser* parser) {
+  parser->Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
+                 "whether the positions of the outermost pixels lie on the edge of the view, as in "
+                 "the course, or half a pixel inside (default corners, with path and light_trace "
+                 "centres)",
+                 kInFilm);
+}
+
+void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
+  parser->Option("integrator", {Choice("NAME", &request_.integrator, IntegratorNames())},
+                 IntegratorSummaries(), kInRender);
+  common->AddLight(parser, "0, with path and light_trace as many as it takes");
+  IntegratorOptions& light = request_.integrator_options;
+  parser->Option(
+      "diffuse-bounces", {Whole("N", &light.diffuse_bounces, 0)},
+      "with path and light_trace: of the bounces, those by surfaces that scatter (default all)",
+      kInRender);
+  parser->Option("mirror-bounces", {Whole("N", &light.mirror_bounces, 0)},
+                 "with path and light_trace: those by mirrors (default all)", kInRender);
+  parser->Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
+                 "with path and light_trace: those through surfaces (default all)", kInRender);
+}
+
+void PictureSettings::AddSamples(ArgParser* parser) {
+  parser->Option("samples", {Whole("N", &samples_, 1)},
+                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
+                             "light_trace {})",
+                             kFilteredSamples, kPathSamples),
+                 kInRender);
+  parser->Option(
+      "filter", {Choice("NAME", &filter_, FilterNames())},
+      fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
+      kInFilm);
+  parser->Option("sampler", {Choice("NAME", &sampler_, SamplerNames())}, SamplerSummaries(),
+                 kInRender);
+  parser->Option("clamp", {Positive("X", &request_.render.clamp)},
+                 "darken samples of which a channel is above X, colour kept: less noise, but the "
+                 "picture loses light, and it is said how much (default off)",
+                 kInRender);
+  parser->Flag("jitter", &jitter_,
+               "the course's 4x4 samples of each pixel, with --filter tent weighed");
+  parser->Option("seed", {Whole("N", &request_.render.seed, 0, 4294967295)},
+                 "another number gives other random positions (default 0)", kInRender);
+}
+
+Result<void> PictureSettings::CheckJitter() const {
+  if (jitter_ && samples_) return UsageError("--jitter and --samples: give one of them");
+  if (jitter_ && filter_ && *filter_ != "tent") {
+    return UsageError("--jitter goes with --filter tent only; use --samples with other filters");
+  }
+  return {};
+}
+
+Result<void> PictureSettings::CheckTone(const ArgParser& parser) const {
+  for (const char* name : {"tonemap", "exposure"}) {
+    if (!parser.Has(name)) continue;
+    if (!request_.output) {
+      return UsageError(fmt::format("--{} is for the picture of --output: give both", name));
+    }
+    if (IsForDisplays(*FormatOf(*request_.output))) continue;
+    return UsageError(
+        fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
+  }
+  return {};
+}
+
+void PictureSettings::DropSamplesOfScene(const ArgParser& parser) {
+  if (!jitter_) return;
+  samples_.reset();  // --samples cannot have been given.
+  if (!parser.Has("filter")) filter_.reset();
+}
+
+void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet& settings,
+                                         Diagnostics* diagnostics) {
+  CheckClamp(parser, settings, diagnostics);
+  const std::string text =
+      fmt::format("has no effect with the integrator '{}'", request_.integrator);
+  const auto warn = [&](std::string_view option, std::string_view param) {
+    const Param* in_scene = settings.Find(param);
+    if (parser.Has(option)) {
+      PrintWarning(parser.program(), fmt::format("{} {}", parser.Spell(option), text));
+    } else if (in_scene) {
+      diagnostics->Warning(in_scene->where, fmt::format("'{}' {}", param, text));
+    }
+  };
+  IntegratorOptions& light = request_.integrator_options;
+  if (IsPhysical()) {
+    if (light.shadows) warn("shadows", "shadows");
+    light.shadows = false;
+    return;
+  }
+  struct Limit {
+    std::string_view option, param;
+    std::optional<uint32_t>& value;
+  };
+  for (const Limit& limit :
+       {Limit{"diffuse-bounces", "diffuse_bounces", light.diffuse_bounces},
+        Limit{"mirror-bounces", "mirror_bounces", light.mirror_bounces},
+        Limit{"transmission-bounces", "transmission_bounces", light.transmission_bounces}}) {
+    if (limit.value) warn(limit.option, limit.param);
+    limit.value.reset();
+  }
+}
+
+void PictureSettings::CheckClamp(const ArgParser& parser, const ParamSet& settings,
+                                 Diagnostics* diagnostics) {
+  const Param* clamp = settings.Find("clamp");
+  if (!clamp || parser.Has("clamp")) return;
+  if (!FindIntegrator(request_.integrator)->has_light_paths) return;
+  const std::string text =
+      fmt::format("what light paths of '{}' bring has no samples to clamp", request_.integrator);
+  // No option could switch it off for whoever asks for light paths.
+  if (parser.Has("integrator")) {
+    diagnostics->Warning(clamp->where, "'clamp' has no effect: " + text);
+  } else {
+    diagnostics->Error(clamp->where, "'clamp': " + text);
+  }
+  request_.render.clamp.reset();
+}
+
+void PictureSettings::Finish() {
+  FinishSamples();
+  FinishGrid();
+  FinishTone();
+  auto& bounces = request_.integrator_options.bounces;
+  if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
+  FinishSampler();
+}
+
+void PictureSettings::FinishSamples() {
+  RenderOptions& render = request_.render;
+  if (jitter_) {
+    render.pattern = filter_ ? SamplePattern::kStrataTent : SamplePattern::kStrata;
+    render.samples = kStrataSamples;
+    return;
+  }
+  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
+  if (!samples_) samples_ = usual;
+  render.samples = *samples_;
+  render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
+  if (render.pattern == SamplePattern::kCentre) return;
+  if (!filter_) filter_ = "box";
+  render.filter = *filter_;
+}
+
+void PictureSettings::FinishSampler() {
+  RenderOptions& render = request_.render;
+  render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
+  render.drops_negative = IsPhysical();
+  request_.integrator_options.seed = render.seed;
+  request_.integrator_options.sampler = render.sampler;
+}
+
+void PictureSettings::FinishGrid() {
+  if (!grid_) grid_ = IsPhysical() ? "centres" : "corners";
+  request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
+}
+
+void PictureSettings::FinishTone() {
+  if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
+  const float exposure = exposure_.value_or(0);
+  exposure_.reset();
+  // Without both the course's quantisation stays as it is.
+  if (*tonemap_ == "none" && exposure == 0) return;
+  exposure_ = exposure;
+  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(exposure)};
+}
+
+bool PictureSettings::IsPhysical() const {
+  return FindIntegrator(request_.integrator)->is_physical;
+}
+
+}  // namespace candela

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "base/result.h"
+#include "driver/arg_parser.h"
+#include "driver/common_options.h"
+#include "driver/render_request.h"
+#include "scene_spec/param_set.h"
+
+namespace candela {
+
+/// The options of `candela render` that say how the picture comes about, many of which scenes may
+/// set as well, and what follows from them together. Lives as long as the parser that it adds
+/// options to.
+class PictureSettings {
+ public:
+  explicit PictureSettings(RenderRequest* request) : request_(*request) {}
+
+  /// tonemap, exposure
+  void AddTone(ArgParser* parser);
+  /// pixel-grid
+  void AddGrid(ArgParser* parser);
+  /// integrator, those of `common`, limits of bounces by their kind
+  void AddLight(ArgParser* parser, CommonOptions* common);
+  /// samples, filter, sampler, clamp, jitter, seed
+  void AddSamples(ArgParser* parser);
+
+  // What can be said without the scene.
+  Result<void> CheckJitter() const;
+  Result<void> CheckTone(const ArgParser& parser) const;
+
+  /// Whoever asks for the course's samples does not get those of the scene.
+  void DropSamplesOfScene(const ArgParser& parser);
+  /// What the integrator does not know of what the scene or the command line sets is dropped with a
+  /// warning, or is an error when it would not do what was asked for. `settings` are the scene's
+  /// for its rendering.
+  void CheckForIntegrator(const ArgParser& parser, const ParamSet& settings,
+                          Diagnostics* diagnostics);
+  /// Completes the request once the settings of the scene are known, and stores what follows from
+  /// others in the options that scenes may set.
+  void Finish();
+
+ private:
+  void CheckClamp(const ArgParser& parser, const ParamSet& settings, Diagnostics* diagnostics);
+  void FinishSamples();
+  void FinishSampler();
+  void FinishGrid();
+  void FinishTone();
+  /// Whether the picture is one of light transport, which has defaults of its own.
+  bool IsPhysical() const;
+
+  RenderRequest& request_;
+  bool jitter_ = false;
+  std::string sampler_ = "sobol";
+  std::optional<std::string> filter_, grid_, tonemap_;
+  std::optional<float> exposure_;
+  std::optional<uint32_t> samples_;
+};
+
+}  // namespace candela

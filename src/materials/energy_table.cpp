@@ -14,11 +14,18 @@ namespace {
 constexpr int kColumns = 32;
 constexpr float kNearestToHorizon = 1e-4f;
 constexpr int kRoughnessRows = 32;
-constexpr int kAzimuthRows = 9;
+constexpr int kAzimuthRows = 17;
 constexpr int kIntervals = kColumns - 1;
-// Where the integral over the facets that a direction sees is evaluated. The rings are crowded at
-// the end of the steep facets, which are few but lose most.
-constexpr int kTurns = 24, kRings = 32;
+
+/// Where the integral over the facets that a direction sees is evaluated. The rings are crowded at
+/// the end of the steep facets, which are few but lose most.
+struct Points {
+  int turns, rings;
+};
+constexpr int kStride = 7;  // Without a divisor in common with the turns.
+// Tables of many rows are for mirrors, whose facets give back nearly the same all around. Those of
+// glass reflect all of the light from somewhere on.
+constexpr Points kFew = {24, 32}, kMany = {48, 64};
 
 size_t CellOf(int row, int column) {
   return static_cast<size_t>(row) * kColumns + static_cast<size_t>(column);
@@ -65,22 +72,23 @@ float SquaresBetween(int column) {
   return SquareAt(column + 1) - SquareAt(column);
 }
 
-float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet) {
-  double sum = 0;
-  for (int ring = 0; ring < kRings; ++ring) {
-    const float s = (static_cast<float>(ring) + 0.5f) / kRings;
-    double ring_sum = 0;
-    for (int turn = 0; turn < kTurns; ++turn) {
-      // Each ring is turned against its neighbours, so that the two directions resolve each other.
-      const float at = static_cast<float>(turn) + (static_cast<float>(ring % 4) + 0.5f) / 4;
-      const Vec3 m = surface.SampleVisible(wo, {at / kTurns, 1 - s * s * s});
-      ring_sum += static_cast<double>(facet(surface, wo, m));
+float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet, Points points) {
+  const auto turns = static_cast<float>(points.turns), rings = static_cast<float>(points.rings);
+  double sum = 0, weights = 0;
+  for (int ring = 0; ring < points.rings; ++ring) {
+    for (int turn = 0; turn < points.turns; ++turn) {
+      // Each point has a distance and an azimuth that no other has, so that edges of what a facet
+      // gives back do not fall between two rings or two spokes.
+      const float within = (static_cast<float>(turn * kStride % points.turns) + 0.5f) / turns;
+      const float s = (static_cast<float>(ring) + within) / rings;
+      const float at = static_cast<float>(turn) + (static_cast<float>(ring) + 0.5f) / rings;
+      const Vec3 m = surface.SampleVisible(wo, {at / turns, 1 - s * s * s});
+      const double weight = double{s} * double{s};
+      sum += weight * double{facet(surface, wo, m)};
+      weights += weight;
     }
-    sum += ring_sum * 3 * double{s} * double{s};
   }
-  // The weights of the midpoints do not add up to 1 exactly.
-  constexpr double kWeights = kRings - 0.25 / kRings;
-  return static_cast<float>(std::min(sum / (kWeights * kTurns), 1.0));
+  return static_cast<float>(std::min(sum / weights, 1.0));
 }
 
 }  // namespace
@@ -133,7 +141,8 @@ void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Face
     const float root = static_cast<float>(column) / kIntervals;
     const float cosine = std::max(root * root, kNearestToHorizon);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    shares_[CellOf(row, column)] = ShareOf(surface, {sine * c, sine * s, cosine}, facet);
+    shares_[CellOf(row, column)] =
+        ShareOf(surface, {sine * c, sine * s, cosine}, facet, rows_ == 1 ? kMany : kFew);
   }
 }
 

@@ -49,7 +49,7 @@ constexpr double kAny = -std::numeric_limits<double>::infinity();
 // A row for each kind of sampler.
 constexpr SamplerRow kSamplers[] = {
     {"independent", SamplerKind::kIndependent, -0.53, -0.47, -0.47},
-    {"sobol", SamplerKind::kSobol, kAny, -0.50, -0.70},
+    {"sobol", SamplerKind::kSobol, kAny, -0.47, -0.70},
 };
 
 std::unique_ptr<const Integrator> PathWith(const Scene& scene, uint32_t bounces, SamplerKind kind,

@@ -23,7 +23,7 @@ using test::kLargestDeviate;
 using test::UniformNumbers;
 
 #ifdef CANDELA_SLOW
-constexpr uint32_t kSamples = 4096;
+constexpr uint32_t kSamples = 8192;
 constexpr double kStrength = 1e-3;
 #else
 constexpr uint32_t kSamples = 128;

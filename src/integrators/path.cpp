@@ -8,7 +8,6 @@
 #include "integrators/beers_law.h"
 #include "integrators/path_queue.h"
 #include "integrators/path_vertex.h"
-#include "integrators/physical_scene.h"
 #include "integrators/record_surface.h"
 #include "integrators/registry.h"
 #include "sampling/sampler.h"
@@ -53,7 +52,6 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
-  if (const auto checked = CheckPhysical(scene, "path"); !checked) return checked.error();
   return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));
 }
 

@@ -27,7 +27,7 @@ class PathIntegrator final : public Integrator {
  public:
   PathIntegrator(const Scene& scene, const IntegratorOptions& options,
                  const PathTechniques& techniques = {});
-  /// Fails for materials that are not physical.
+  /// For scenes whose materials are all physical.
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 

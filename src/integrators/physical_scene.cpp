@@ -21,10 +21,4 @@ void CheckPhysical(const Scene& scene, std::string_view integrator, Diagnostics*
   }
 }
 
-Result<void> CheckPhysical(const Scene& scene, std::string_view integrator) {
-  Diagnostics found;
-  CheckPhysical(scene, integrator, &found);
-  return found.FirstError();
-}
-
 }  // namespace candela

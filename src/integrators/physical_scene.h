@@ -3,7 +3,6 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
-#include "base/result.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -11,8 +10,5 @@ namespace candela {
 /// Reports each material that does what light cannot do, if an object is made of it; the messages
 /// name the integrator that asks.
 void CheckPhysical(const Scene& scene, std::string_view integrator, Diagnostics* diagnostics);
-
-/// Fails with the first of them.
-Result<void> CheckPhysical(const Scene& scene, std::string_view integrator);
 
 }  // namespace candela

@@ -11,12 +11,6 @@
 namespace candela {
 namespace {
 
-constexpr LayerSet kAll = [] {
-  LayerSet all;
-  for (size_t i = 0; i < kLayerCount; ++i) all.Add(static_cast<Layer>(i));
-  return all;
-}();
-
 SampleLayers Seen(uint32_t object, float depth) {
   SampleLayers sample;
   sample.surface.object = object;

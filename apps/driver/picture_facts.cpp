@@ -9,7 +9,7 @@
 #include "base/files.h"
 #include "driver/picture_files.h"
 #include "sampling/sampler.h"
-#include "scene/compile_scene.h"
+#include "scene/input_files.h"
 
 namespace candela {
 namespace {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/text.h"
+#include "scene/resolved_params.h"
 #include "scene_spec/param_reader.h"
 
 namespace candela {
@@ -38,11 +39,6 @@ class InteriorCompiler {
   }
 
  private:
-  static ParamSet* Emptied(ParamSet* resolved) {
-    resolved->params.clear();
-    return resolved;
-  }
-
   static void Add(float index, std::vector<float>* indices) {
     const bool is_there = std::find(indices->begin(), indices->end(), index) != indices->end();
     if (!is_there) indices->push_back(index);

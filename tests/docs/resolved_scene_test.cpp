@@ -105,6 +105,16 @@ TEST(ResolvedScene, HoldsTransformsBeyondSinglePrecision) {
       ".");
 }
 
+// An object that is left out keeps the material that it would have had.
+TEST(ResolvedScene, HoldsTheMaterialOfWhatIsLeftOut) {
+  ExpectResolvesToItself(
+      "Camera { center 0 0 9 direction 0 0 -1 up 0 1 0 fov 30 }\n"
+      "Background { color 1 1 1 ambient_light 1 1 1 }\n"
+      "Scene { Component<Object> {\n"
+      "  type triangle vertex0 0 0 0 vertex1 0 0 0 vertex2 0 1 0 } }",
+      ".");
+}
+
 // A default appears with its value, and what would mean something else if it was written does not.
 TEST(ResolvedScene, HoldsTheDefaults) {
   const auto resolved = Resolve(

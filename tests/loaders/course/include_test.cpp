@@ -6,6 +6,7 @@
 #include "loaders/course/scene_parser.h"
 #include "loaders/course/scene_text.h"
 #include "scene/compile_scene.h"
+#include "scene/input_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace candela {

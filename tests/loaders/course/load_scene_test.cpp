@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "loaders/course/scene_parser.h"
 #include "scene/compile_scene.h"
+#include "scene/input_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace candela {

@@ -1,5 +1,6 @@
 #include "materials/dielectric.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +16,8 @@ constexpr float kLeastContrast = 1e-3f;
 
 EnergyTable EnergyOf(float eta, const Roughness& roughness) {
   return roughness.MakeTable(
-      [eta](const Ggx& surface, Vec3 wo, Vec3 m) { return DielectricFacet(eta, surface, wo, m); });
+      [eta](const Ggx& surface, Vec3 wo, Vec3 m) { return DielectricFacet(eta, surface, wo, m); },
+      EnergyTable::Detail::kEdge);
 }
 
 }  // namespace

@@ -23,9 +23,10 @@ struct Points {
   int turns, rings;
 };
 constexpr int kStride = 7;  // Without a divisor in common with the turns.
-// Tables of many rows are for mirrors, whose facets give back nearly the same all around. Those of
-// glass reflect all of the light from somewhere on.
-constexpr Points kFew = {24, 32}, kMany = {48, 64};
+
+constexpr Points PointsFor(EnergyTable::Detail detail) {
+  return detail == EnergyTable::Detail::kEdge ? Points{48, 64} : Points{24, 32};
+}
 
 size_t CellOf(int row, int column) {
   return static_cast<size_t>(row) * kColumns + static_cast<size_t>(column);
@@ -95,19 +96,19 @@ float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet, Poin
 
 EnergyTable::EnergyTable(int rows) : rows_(rows), shares_(static_cast<size_t>(rows) * kColumns) {}
 
-EnergyTable EnergyTable::OfRoughness(float alpha, const Facet& facet) {
+EnergyTable EnergyTable::OfRoughness(float alpha, const Facet& facet, Detail detail) {
   EnergyTable table(1);
-  table.FillRow(0, {alpha, alpha}, 0, facet);
+  table.FillRow(0, {alpha, alpha}, 0, facet, detail);
   table.Summarise();
   return table;
 }
 
-EnergyTable EnergyTable::OfAllRoughness(const Facet& facet) {
+EnergyTable EnergyTable::OfAllRoughness(const Facet& facet, Detail detail) {
   EnergyTable table(kRoughnessRows);
   ParallelFor(kRoughnessRows, [&](int64_t row) {
     const float root = static_cast<float>(row) / (kRoughnessRows - 1);
     const float alpha = std::max(root * root, kSmoothestAlpha);
-    table.FillRow(static_cast<int>(row), {alpha, alpha}, 0, facet);
+    table.FillRow(static_cast<int>(row), {alpha, alpha}, 0, facet, detail);
   });
   table.Summarise();
   return table;
@@ -117,7 +118,8 @@ EnergyTable EnergyTable::OfAnisotropic(const Ggx& surface, const Facet& facet) {
   EnergyTable table(kAzimuthRows);
   ParallelFor(kAzimuthRows, [&](int64_t row) {
     const float quarters = static_cast<float>(row) / (kAzimuthRows - 1);
-    table.FillRow(static_cast<int>(row), surface, static_cast<float>(kPi / 2) * quarters, facet);
+    table.FillRow(static_cast<int>(row), surface, static_cast<float>(kPi / 2) * quarters, facet,
+                  Detail::kSmooth);
   });
   table.Summarise();
   // Light from everywhere comes from all azimuths.
@@ -135,14 +137,15 @@ float EnergyTable::RowOfAzimuth(Vec3 w) {
   return Atan2(std::abs(w.y), std::abs(w.x)) / quarter * (kAzimuthRows - 1);
 }
 
-void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet) {
+void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet,
+                          Detail detail) {
   const float c = Cos(azimuth), s = Sin(azimuth);
   for (int column = 0; column < kColumns; ++column) {
     const float root = static_cast<float>(column) / kIntervals;
     const float cosine = std::max(root * root, kNearestToHorizon);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     shares_[CellOf(row, column)] =
-        ShareOf(surface, {sine * c, sine * s, cosine}, facet, rows_ == 1 ? kMany : kFew);
+        ShareOf(surface, {sine * c, sine * s, cosine}, facet, PointsFor(detail));
   }
 }
 

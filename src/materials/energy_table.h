@@ -16,11 +16,17 @@ class EnergyTable {
   /// What a facet with the normal `m` gives back of the light from `wo`, over what it gets.
   using Facet = std::function<float(const Ggx& surface, Vec3 wo, Vec3 m)>;
 
+  /// How fast what a facet gives back changes with its normal.
+  enum class Detail {
+    kSmooth,  ///< As of a mirror or a coat.
+    kEdge,    ///< As of glass, which reflects everything from some angle on.
+  };
+
   /// One row: a surface of the same roughness in all directions.
-  static EnergyTable OfRoughness(float alpha, const Facet& facet);
+  static EnergyTable OfRoughness(float alpha, const Facet& facet, Detail detail);
 
   /// A row for each roughness from 0 to 1; see `RowOfRoughness`.
-  static EnergyTable OfAllRoughness(const Facet& facet);
+  static EnergyTable OfAllRoughness(const Facet& facet, Detail detail);
 
   /// Rows for an anisotropic surface, by azimuth; see `RowOfAzimuth`.
   static EnergyTable OfAnisotropic(const Ggx& surface, const Facet& facet);
@@ -41,7 +47,7 @@ class EnergyTable {
 
  private:
   explicit EnergyTable(int rows);
-  void FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet);
+  void FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet, Detail detail);
   void Summarise();
   float MissingAt(int column, float row) const;
 

@@ -1,5 +1,7 @@
 #include "materials/roughness.h"
 
+#include <utility>
+
 namespace candela {
 
 Roughness Roughness::Create(ParamReader* params, const MaterialContext& context) {
@@ -15,15 +17,22 @@ Roughness Roughness::OfAlpha(float alpha) {
   return roughness;
 }
 
+Roughness Roughness::OfTexture(std::shared_ptr<const Texture> texture) {
+  Roughness roughness;
+  roughness.input_ = NumberInput(std::move(texture));
+  return roughness;
+}
+
 float Roughness::AlphaAt(const SurfacePoint& point) const {
   if (!input_.IsTextured()) return alpha_;
   const float root = input_.At(point);
   return root * root;
 }
 
-EnergyTable Roughness::MakeTable(const EnergyTable::Facet& facet) const {
-  return input_.IsTextured() ? EnergyTable::OfAllRoughness(facet)
-                             : EnergyTable::OfRoughness(alpha_, facet);
+EnergyTable Roughness::MakeTable(const EnergyTable::Facet& facet,
+                                 EnergyTable::Detail detail) const {
+  return input_.IsTextured() ? EnergyTable::OfAllRoughness(facet, detail)
+                             : EnergyTable::OfRoughness(alpha_, facet, detail);
 }
 
 float Roughness::TableRow(float alpha) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "materials/energy_table.h"
 #include "materials/material_context.h"
 #include "textures/texture_input.h"
@@ -12,13 +14,15 @@ class Roughness {
  public:
   static Roughness Create(ParamReader* params, const MaterialContext& context);
   static Roughness OfAlpha(float alpha);
+  static Roughness OfTexture(std::shared_ptr<const Texture> texture);
 
   float AlphaAt(const SurfacePoint& point) const;
   /// Whether the surface is polished at all points.
   bool IsNowhere() const { return !input_.IsTextured() && alpha_ < kSmoothestAlpha; }
 
   /// A table for all alphas that there may be, and the row of one of them.
-  EnergyTable MakeTable(const EnergyTable::Facet& facet) const;
+  EnergyTable MakeTable(const EnergyTable::Facet& facet,
+                        EnergyTable::Detail detail = EnergyTable::Detail::kSmooth) const;
   float TableRow(float alpha) const;
 
   bool NeedsTextureCoordinates() const { return input_.NeedsTextureCoordinates(); }

@@ -55,8 +55,8 @@ class Scene {
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const;
 
   /// From the point of a hit to the round surface that the shading normals of its mesh pretend, on
-  /// the inside or on the outside; 0 where it does not bulge there. Rays that start from it are not
-  /// stopped by the flat triangles around.
+  /// the inside or on the outside; 0 where it does not bulge there, and where an edge is smoothed
+  /// over. Rays that start from it are not stopped by the flat triangles around.
   Vec3 LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const;
 
   /// The hit as the course sees it, at a third of the cost: the point o + t d, the shading normal,

@@ -96,17 +96,22 @@ SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
 
 // Hanika, "Hacking the Shadow Terminator" (in "Ray Tracing Gems II", 2021): the mean of the point
 // as it lies in the tangential planes of the corners. Only where it lies below all of them:
-// elsewhere the normals lean without that the surface were round.
+// elsewhere the normals lean without that the surface were round. And only where they lean by less
+// than 45 degrees: more is an edge that is smoothed over, as of a cube, from whose sides points
+// would be lifted into what the cube stands on.
 Vec3 Mesh::LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const {
   const auto& corners = spec_->triangles[hit.primitive];
   const float weights[] = {1 - hit.u - hit.v, hit.u, hit.v};
   const float side = is_inside ? -1.0f : 1.0f;
+  const Vec3 a = positions_[corners[0]], b = positions_[corners[1]], c = positions_[corners[2]];
+  const Vec3 area = Cross(b - a, c - a);
+  const float half_squared = LengthSquared(area) / 2;
   Vec3 lift{};
   for (size_t k = 0; k < 3; ++k) {
     if (!HasNormal(hit.primitive, k)) return {};
     const Vec3 n = NormalizeAnyLength(normals_[normal_corners_[hit.primitive][k]]) * side;
-    const float height = Dot(p - positions_[corners[k]], n);
-    if (!(height <= 0)) return {};
+    const float height = Dot(p - positions_[corners[k]], n), leaning = Dot(n, area);
+    if (!(height <= 0) || !(leaning * leaning > half_squared)) return {};
     lift += n * (-height * weights[k]);
   }
   return lift;

@@ -46,8 +46,8 @@ class Shape {
   }
 
   /// How far outside of a point, the one of a hit, the round surface lies that the shading normals
-  /// pretend; 0 where there is none, or where it does not bulge. With `is_inside` the same towards
-  /// the inside.
+  /// pretend; 0 where there is none, where it does not bulge, and where an edge is smoothed over.
+  /// With `is_inside` the same towards the inside.
   virtual Vec3 LiftOf(const HitRecord& /*hit*/, Vec3 /*p*/, bool /*is_inside*/) const { return {}; }
 
   /// The triangles, when that is all it consists of; then the scene's own search finds their hits,

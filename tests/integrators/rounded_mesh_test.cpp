@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -110,6 +111,41 @@ TEST_F(RoundedMesh, OfWhiteIsNearlyInvisibleInTheFurnace) {
   EXPECT_LE(with, 1 + 1e-3);
   EXPECT_GT(with, without);
   EXPECT_GT(with, 0.98);
+}
+
+/// A cube from -1 to 1 with one normal at each corner, as files of it often have.
+std::string SmoothCube() {
+  std::string text;
+  for (int i = 0; i < 8; ++i) {
+    const int x = i & 1 ? 1 : -1, y = i & 2 ? 1 : -1, z = i & 4 ? 1 : -1;
+    text += fmt::format("v {0} {1} {2}\nvn {0} {1} {2}\n", x, y, z);
+  }
+  constexpr std::array<int, 4> kSides[] = {{1, 3, 4, 2}, {5, 6, 8, 7}, {1, 2, 6, 5},
+                                           {3, 7, 8, 4}, {1, 5, 7, 3}, {2, 4, 8, 6}};
+  for (const auto& [a, b, c, d] : kSides) {
+    text += fmt::format("f {0}//{0} {1}//{1} {2}//{2}\nf {0}//{0} {2}//{2} {3}//{3}\n", a, b, c, d);
+  }
+  return text;
+}
+
+// The foot of a cube that stands on a floor is lit: no point of it is lifted into the floor.
+TEST_F(RoundedMesh, IsNotACubeWhoseEdgesAreSmoothedOver) {
+  testing_support::Put(folder_ / "cube.obj", SmoothCube());
+  const auto scene = CompileText(
+      std::string(testing_support::kCamera) +
+          "Materials { Material { type diffuse albedo 0.5 0.5 0.5 } }\n"
+          "Scene { Component<Light> { type directional direction 0 -0.5 -1 color 1 1 1 }\n"
+          "Node { Transform { translate 0 0 -5 } Component<Object> { type mesh obj_file cube.obj "
+          "}\n"
+          "Component<Material> { index 0 } }\n"
+          "Node { Component<Object> { type plane normal 0 1 0 offset -1 }\n"
+          "Component<Material> { index 0 } } }",
+      folder_.path());
+  for (int i = -8; i <= 8; ++i) {
+    const Vec2 foot{0.03f * static_cast<float>(i), -0.24f};  // 0.04 above the floor.
+    EXPECT_GT(Seen(*scene, foot, true, 4), 0.02) << i;
+    EXPECT_EQ(Seen(*scene, foot, true, 4), Seen(*scene, foot, false, 4)) << i;
+  }
 }
 
 }  // namespace

@@ -4,13 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sampling/sampler.h"
 #include "sampling/warp.h"
 #include "tests/materials/families.h"
 #include "tests/materials/scatter.h"
+#include "textures/constant_texture.h"
 
 namespace candela {
 namespace {
@@ -56,6 +59,13 @@ std::vector<Family> WhiteFamilies() {
          const PhongTerms terms{{}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, 2 / (r * r)};
          return std::make_unique<PhongMaterial>(terms, true);
        }},
+      {"GlassOfTexturedRoughness",
+       [](float r) {
+         auto roughness = std::make_shared<ConstantTexture>(Rgb{r, r, r});
+         return std::make_unique<DielectricMaterial>(Medium{1.5f, {}},
+                                                     Roughness::OfTexture(std::move(roughness)));
+       },
+       false},
   };
 }
 

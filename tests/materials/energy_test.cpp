@@ -125,7 +125,8 @@ TEST(RoughMetal, OneBounceGivesBackTheAlbedoOfGgx) {
                {0.25f, {0.915812, 0.886244, 0.839328}},
                {0.1f, {0.988304, 0.981685, 0.924417}}};
   for (const auto& [alpha, albedo] : cases) {
-    const EnergyTable table = EnergyTable::OfRoughness(alpha, MirrorFacet);
+    const EnergyTable table =
+        EnergyTable::OfRoughness(alpha, MirrorFacet, EnergyTable::Detail::kSmooth);
     for (int i = 0; i < 3; ++i) {
       const double degrees[] = {0, 45, 75};
       const Vec3 wo = DirectionAt(Frame(), degrees[i]);
@@ -137,10 +138,11 @@ TEST(RoughMetal, OneBounceGivesBackTheAlbedoOfGgx) {
 
 // Rows for all roughnesses stand between those of each.
 TEST(RoughMetal, TableOfAllRoughnessesAgreesWithThoseOfEach) {
-  const EnergyTable all = EnergyTable::OfAllRoughness(MirrorFacet);
+  const EnergyTable all = EnergyTable::OfAllRoughness(MirrorFacet, EnergyTable::Detail::kSmooth);
   for (const float roughness : {0.25f, 0.37f, 0.5f, 0.77f, 0.9f, 1.0f}) {
     const float alpha = roughness * roughness;
-    const EnergyTable one = EnergyTable::OfRoughness(alpha, MirrorFacet);
+    const EnergyTable one =
+        EnergyTable::OfRoughness(alpha, MirrorFacet, EnergyTable::Detail::kSmooth);
     const float row = EnergyTable::RowOfRoughness(alpha);
     EXPECT_NEAR(all.Mean(row), one.Mean(0), 1e-3) << roughness;
     for (const float cosine : {0.01f, 0.1f, 0.3f, 0.7f, 1.0f}) {

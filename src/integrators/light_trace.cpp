@@ -210,7 +210,7 @@ bool LightTraceIntegrator::Emit(Path* path, Ray* ray) const {
   path->flux = sample.flux * (1 / probabilities_[chosen]);
   *ray = SpawnRay(sample.origin, sample.direction);
   ray->mask = kReflectionRay;
-  // A path from the camera knows them from the surfaces that it has come through.
+  // A path that goes on knows them from the surfaces that it has come through.
   if (has_media_) path->media = MediaAround(scene_, ray->origin);
   return true;
 }

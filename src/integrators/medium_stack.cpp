@@ -1,6 +1,7 @@
 #include "integrators/medium_stack.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "geometry/spawn_ray.h"
@@ -8,17 +9,24 @@
 namespace candela {
 namespace {
 
-/// The bodies that a ray leaves without having entered them, in this order: those around its
-/// origin. Several may have the same interior.
-std::vector<uint32_t> BodiesLeft(const Scene& scene, Vec3 from, Vec3 direction) {
+/// Where a ray leaves a body without having entered it: one that may be around its origin.
+struct Exit {
+  uint32_t interior;
+  bool is_endless;  ///< The surface is.
+};
+
+/// In their order. Several bodies may have the same interior.
+std::vector<Exit> ExitsOf(const Scene& scene, Vec3 from, Vec3 direction) {
   constexpr int kFarEnough = 100000;  // Surfaces: a line through a fractal has an end, too.
-  std::vector<uint32_t> left, entered;
+  std::vector<Exit> exits;
+  std::vector<uint32_t> entered;
   Ray ray(from, direction);
   for (int i = 0; i < kFarEnough; ++i) {
     HitRecord hit;
     if (!scene.Intersect(ray, &hit)) break;
     const SurfacePoint point = scene.SurfaceAt(ray, hit);
-    const uint32_t interior = scene.objects()[hit.object].interior;
+    const SceneObject& object = scene.objects()[hit.object];
+    const uint32_t interior = object.interior;
     if (interior != SceneObject::kNoInterior) {
       const auto same = std::find(entered.begin(), entered.end(), interior);
       if (Dot(point.OutwardNormal(), direction) <= 0) {
@@ -26,12 +34,12 @@ std::vector<uint32_t> BodiesLeft(const Scene& scene, Vec3 from, Vec3 direction) 
       } else if (same != entered.end()) {
         entered.erase(same);
       } else {
-        left.push_back(interior);
+        exits.push_back({interior, !object.shape->ObjectBounds().IsFinite()});
       }
     }
     ray = SpawnRay(point, direction);
   }
-  return left;
+  return exits;
 }
 
 }  // namespace
@@ -74,17 +82,24 @@ MediumStack MediaAround(const Scene& scene, Vec3 p) {
   if (scene.interiors().empty()) return media;
   // Any direction does that is not along the usual walls.
   const Vec3 direction = Normalize(Vec3{0.36f, 0.51f, 0.78f});
-  const std::vector<uint32_t> ahead = BodiesLeft(scene, p, direction);
-  // A closed body is left both ways; one without end, like the water under a plane, only by one.
-  std::vector<uint32_t> behind = BodiesLeft(scene, p, -direction);
-  for (const uint32_t interior : ahead) {
-    const auto same = std::find(behind.begin(), behind.end(), interior);
-    if (same != behind.end()) behind.erase(same);
+  const std::vector<Exit> ahead = ExitsOf(scene, p, direction);
+  std::vector<Exit> behind = ExitsOf(scene, p, -direction);
+  // A body is left both ways, but for one without end, like the water under a plane. Any other that
+  // is left one way only is open, and what is behind its surface nobody can tell.
+  std::vector<Exit> around;
+  for (const Exit& exit : ahead) {
+    const auto same = std::find_if(behind.begin(), behind.end(), [&](const Exit& other) {
+      return other.interior == exit.interior;
+    });
+    const bool is_both_ways = same != behind.end();
+    if (is_both_ways) behind.erase(same);
+    if (is_both_ways || exit.is_endless) around.push_back(exit);
   }
+  std::copy_if(behind.begin(), behind.end(), std::back_inserter(around),
+               [](const Exit& exit) { return exit.is_endless; });
   // What light leaves last it has entered first.
-  for (const auto& way : {behind, ahead}) {
-    std::for_each(way.rbegin(), way.rend(), [&](uint32_t interior) { media.Enter(interior); });
-  }
+  std::for_each(around.rbegin(), around.rend(),
+                [&](const Exit& exit) { media.Enter(exit.interior); });
   return media;
 }
 

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "integrators/bounces.h"
 #include "integrators/medium_stack.h"
-#include "integrators/path_vertex.h"
 #include "integrators/ray_cone.h"
 #include "math/spectrum.h"
 #include "math/vec.h"

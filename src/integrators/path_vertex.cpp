@@ -1,8 +1,5 @@
 #include "integrators/path_vertex.h"
 
-#include <limits>
-
-#include "integrators/registry.h"
 #include "math/frame.h"
 
 namespace candela {
@@ -18,15 +15,7 @@ Vec3 NormalTowards(const SurfacePoint& point, Vec3 w) {
   return cosine > 0 ? n : Normalize(n + w * (kLeastCosine - cosine));
 }
 
-constexpr uint32_t kUnlimited = std::numeric_limits<uint32_t>::max();
-
 }  // namespace
-
-BounceLimits::BounceLimits(const IntegratorOptions& options)
-    : all(options.bounces.value_or(kUnlimited)),
-      of_kind{options.diffuse_bounces.value_or(kUnlimited),
-              options.mirror_bounces.value_or(kUnlimited),
-              options.transmission_bounces.value_or(kUnlimited)} {}
 
 void PathVertex::Evaluate() {
   bsdf.frame = Frame::FromNormal(NormalTowards(point, wo));

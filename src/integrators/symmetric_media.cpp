@@ -59,8 +59,10 @@ void CheckMediaAreSymmetric(const Scene& scene, std::string_view integrator,
       if (!OrderCounts(scene.interiors()[a.interior], scene.interiors()[b.interior])) continue;
       if (!Overlap(bodies[i].box, bodies[j].box)) continue;
       is_reported[second] = true;
+      const SourceLocation& place = scene.PlaceOfObject(second);
+      if (diagnostics->IsFull(place)) return;
       diagnostics->Error(
-          scene.PlaceOfObject(second),
+          place,
           fmt::format("the {} and the {} at {} may overlap and have the same priority, so "
                       "what fills the place depends on where light comes from, which the "
                       "integrator '{}' cannot follow; give them an 'Interior' with different "

@@ -183,6 +183,15 @@ TEST(NestedMedia, TheCameraMayBeInOne) {
   EXPECT_NEAR(Seen(Before(kTinted, parts, 0, 1), {}, 2, 16).mean, std::exp(-0.5 * 2), 1e-5);
 }
 
+// One side of a body that is open is no body: nobody can tell what lies behind it.
+TEST(NestedMedia, AnOpenPaneBehindTheCameraChangesNothing) {
+  for (const char* place : {"translate 1.8 2.55 8.9", "translate 1.8 2.55 8.9 y_rotate 180"}) {
+    const std::string pane = Body("rectangle width 4 height 4", "half", 0, "clear",
+                                  fmt::format("Transform {{ {} }}", place).c_str());
+    EXPECT_EQ(Seen(Before(kTinted, pane, 0, 1), {}, 2, 16).mean, 1) << place;
+  }
+}
+
 // P4: what absorbs nothing is invisible where light comes from everywhere.
 TEST(NestedMedia, ClearOnesAreInvisibleInTheFurnace) {
   for (const char* surface : {"clear", "frosted"}) {

@@ -8,7 +8,7 @@ target_compile_options(candela_flags INTERFACE -ffp-contract=off)
 # These change no result: nobody asks for errno or for floating-point exceptions, and nobody replaces a
 # function of the libraries at run time.
 target_compile_options(candela_flags INTERFACE
-  -fno-math-errno -fno-trapping-math -fno-semantic-interposition)
+  $<BUILD_INTERFACE:-fno-math-errno -fno-trapping-math -fno-semantic-interposition>)
 # GCC 12 drops the rounding to float of two neighbouring numbers that go from double to float and back
 # when it turns straight code into vector code. tests/math holds the case.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)

@@ -49,7 +49,7 @@ class RenderCommand {
   /// What a scene says about its rendering, for options that were not given.
   void ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics);
   /// What `candela render` would use for such a scene.
-  RenderSettings Settings() {
+  RenderSettings FinishSettings() {
     picture_.Finish();
     return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film"), request_.integrator};
   }
@@ -249,7 +249,7 @@ Result<void> RenderCommand::FinishIsa() {
 RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
   RenderCommand command;
   command.ReadSettings(spec, diagnostics);
-  return command.Settings();
+  return command.FinishSettings();
 }
 
 int RunRenderCommand(Words words) {

@@ -18,8 +18,8 @@ void PrintRenderNotes(const std::string& program, const RenderJob& job) {
     PrintWarning(program, fmt::format("{} samples were left out in all", dropped.Count()));
   }
   if (job.DroppedSplats() > 0) {
-    PrintWarning(program, fmt::format("{} times the light that a light path brings to a pixel was "
-                                      "not finite and is left out",
+    PrintWarning(program, fmt::format("{} times the light that a light path brings to a pixel is "
+                                      "not possible and is left out",
                                       job.DroppedSplats()));
   }
   if (job.Rays().crowded > 0) {

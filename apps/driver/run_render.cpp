@@ -28,7 +28,7 @@
 #include "render/render_first_hits.h"
 #include "render/render_job.h"
 #include "render/sample_placer.h"
-#include "scene/compile_scene.h"
+#include "scene/input_files.h"
 
 namespace candela {
 namespace {
@@ -53,9 +53,8 @@ class RenderRun {
   Result<void> Run() {
     if (auto checked = CheckOutputs(); !checked) return checked;
     if (auto loaded = LoadScene(); !loaded) return loaded;
-    if (auto fits = CheckJpegSize(); !fits) return fits;
     auto integrator =
-        CreateIntegrator(request_.integrator, *loaded_->scene, request_.integrator_options);
+        FindIntegrator(request_.integrator)->create(*loaded_->scene, request_.integrator_options);
     if (!integrator) return integrator.error();
     if (auto fits = CheckMemory(**integrator); !fits) return fits;
     if (request_.explain) return Explain(**integrator);
@@ -90,7 +89,11 @@ class RenderRun {
     const auto check = [this](const Scene& scene, Diagnostics* diagnostics) {
       CheckForIntegrator(request_.integrator, scene, diagnostics);
     };
-    auto loaded = LoadSceneForUser(request_.scene, read_settings_, check);
+    const auto read_settings = [this](const SceneSpec& spec, Diagnostics* diagnostics) {
+      const Result<void> are_read = read_settings_(spec, diagnostics);
+      return are_read ? CheckJpegSize() : are_read;
+    };
+    auto loaded = LoadSceneForUser(request_.scene, read_settings, check);
     if (!loaded) return loaded.error();
     loaded_ = *std::move(loaded);
     statistics_.seconds.load = loaded_->load_seconds;
@@ -119,7 +122,7 @@ class RenderRun {
     }
   }
 
-  /// Comes after the scene, which may say the size.
+  /// Comes after the settings of the scene, which may say the size.
   Result<void> CheckJpegSize() const {
     const PixelWindow& crop = request_.render.crop;
     if (std::max(crop.Width(), crop.Height()) <= kMostJpegSide) return {};
@@ -173,33 +176,45 @@ class RenderRun {
     }
     if (has_facts) encoding.attributes = PictureAttributes(request_, hash);
     FilmEncoder encoder(job.film(), format, encoding);
-    auto done = Timed(&statistics_.seconds.render, [&] { return RunJob(hash, &job, &encoder); });
+    std::optional<CheckpointFile> checkpoint;
+    if (request_.checkpoint) {
+      checkpoint.emplace(*request_.checkpoint, OwnerOfCheckpoint(request_, hash),
+                         request_.checkpoint_seconds.value_or(kCheckpointSeconds), &job);
+      if (auto loaded = checkpoint->Load(); !loaded) return loaded;
+    }
+    Result<void> saved;
+    auto done = Timed(&statistics_.seconds.render, [&] {
+      return checkpoint ? RunStoppable(&job, &encoder, &*checkpoint, &saved) : Run(&job, &encoder);
+    });
     if (!done) return done;
     statistics_.rays += job.Rays();
     statistics_.dropped_samples = job.Dropped().Count() + job.DroppedSplats();
     PrintRenderNotes(request_.program, job);
-    return Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
+    // The picture is not lost because the checkpoint cannot be written.
+    auto written = Write(*request_.output, [&](ImageFormat) { return encoder.Finish(); });
+    return written ? saved : written;
   }
 
-  Result<void> RunJob(const std::string& scene_hash, RenderJob* job, FilmEncoder* encoder) const {
-    if (!request_.checkpoint) {
-      const ProgressReporter progress(*job, request_.quiet);
-      return job->Run(CancelToken(), encoder);
-    }
-    CheckpointFile file(*request_.checkpoint, OwnerOfCheckpoint(request_, scene_hash),
-                        request_.checkpoint_seconds.value_or(kCheckpointSeconds), job);
-    if (auto loaded = file.Load(); !loaded) return loaded;
+  Result<void> Run(RenderJob* job, FilmEncoder* encoder) const {
+    const ProgressReporter progress(*job, request_.quiet);
+    return job->Run(CancelToken(), encoder);
+  }
+
+  /// Keeps the samples at the end, also when it is stopped; `saved` tells whether it could.
+  Result<void> RunStoppable(RenderJob* job, FilmEncoder* encoder, CheckpointFile* file,
+                            Result<void>* saved) const {
     CancelToken stop;
     const CancelOnStopSignals on_signals(&stop);
     const auto run = [&] {
       const ProgressReporter progress(*job, request_.quiet);
-      return job->Run(stop, encoder, [&] { return file.SaveWhenDue(); });
+      return job->Run(stop, encoder, [&] { return file->SaveWhenDue(); });
     };
     Result<void> done = run();
     const bool is_stopped = !done && done.error().code == ErrorCode::kStopped;
     if (!done && !is_stopped) return done;
-    if (auto saved = file.Save(); !saved) return saved;
+    *saved = file->Save();
     if (!is_stopped) return done;
+    if (!*saved) return *saved;
     PrintWarning(request_.program,
                  fmt::format("stopped; {} of {} samples are kept in {}, and the same command line "
                              "goes on from there",

@@ -62,7 +62,7 @@ double MedianOf(const std::vector<double>& sorted) {
 }
 
 /// The scenes with their course flags. Those with a cube map come again with the course's own
-/// faces, four times as large, where its folder lies beside the project.
+/// faces, four times as large, where its folder is found.
 std::vector<BenchRow> MakeRows(const BenchOptions& options) {
   const fs::path own = "assets/assignment4";
   const fs::path course = testing_support::CourseFolder() / "assets";

@@ -52,7 +52,7 @@ class LayerSet {
 
 /// Everything that the layers of a pixel have to remember, apart from the sum of its weights. The
 /// samples of a pixel come in their order, whoever renders it, so that plain sums are always the
-/// same: exact ones, as those of the colours are, take several times as long.
+/// same: exact ones, as those of the colours are, take twice as long.
 class PixelLayers {
  public:
   /// Whether a sample is nearer to the middle of the pixel than all that this was asked of before,

@@ -66,7 +66,7 @@ class RenderJob {
   /// And then, or after a pass, what did not come into the picture.
   const DroppedSamples& Dropped() const { return dropped_; }
   const ClampLoss& Lost() const { return lost_; }
-  /// How many splats of light paths were left out because they were not finite.
+  /// How many splats of light paths were left out because such light is not possible.
   uint64_t DroppedSplats() const { return splats_ ? splats_->DroppedSplats() : 0; }
 
  private:

@@ -139,6 +139,12 @@ TEST(Hdr, WrongFilesAreErrors) {
             "row 1 is damaged or cut off");
   EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 8\n" + Bytes({2, 2, 0, 8, 0, 0, 0, 0})),
             "row 1 is damaged or cut off");
+  // Rows of four pixels, of which the second is cut off in its first pixel, and in its second.
+  const std::string pixel = Bytes({128, 0, 0, 129}), row = pixel + pixel + pixel + pixel;
+  for (const size_t left : {2, 6}) {
+    EXPECT_EQ(ErrorOf(kHead + "-Y 2 +X 4\n" + row + row.substr(0, left)),
+              "row 2 is damaged or cut off");
+  }
   EXPECT_EQ(ErrorOf(kHead + "-Y 1 +X 8\n" + Bytes({2, 2, 0, 9, 137, 1, 137, 1, 137, 1, 137, 1})),
             "row 1 is damaged or cut off");
 }

@@ -53,5 +53,23 @@ TEST_F(Disk, ThatIsReadOnlyIsRefusedBeforeTheSceneIsRead) {
   EXPECT_THAT(NamesOnDisk(), ElementsAre("o.png"));
 }
 
+// What a render has cost is lost only where both the picture and the checkpoint cannot be written.
+TEST_F(Disk, WithoutSpaceForTheCheckpointHasThePicture) {
+  const std::vector<std::string> plain = {"render", "scene.txt", "--size", "64", "64", "--quiet"};
+  const auto render = [&](const std::string& picture, const std::string& checkpoint) {
+    auto arguments = plain;
+    arguments.insert(arguments.end(), {"-o", picture, "--checkpoint", checkpoint});
+    return Candela(arguments);
+  };
+  EXPECT_EQ(render("both.pfm", "both.bin").status, 0);
+  ExpectRefusal(render("o.pfm", "disk/c.bin"), 3,
+                "candela render: error: 'disk/c.bin': cannot be written: No space left on device");
+  EXPECT_TRUE(Bytes("o.pfm") == Bytes("both.pfm"));
+  ExpectRefusal(render("disk/o.pfm", "c.bin"), 3,
+                "candela render: error: 'disk/o.pfm': cannot be written: No space left on device");
+  EXPECT_TRUE(Bytes("c.bin") == Bytes("both.bin"));
+  EXPECT_EQ(NamesOnDisk().size(), 0u);
+}
+
 }  // namespace
 }  // namespace candela::testing_support

@@ -25,7 +25,7 @@ class SceneSettingsTest : public ProgramTest {
   size_t Rendered(const std::string& settings, std::vector<std::string> arguments,
                   const std::string& file = "o.png") const {
     PutScene(settings);
-    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", file});
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", file, "--quiet"});
     const ProgramEnd end = Candela(arguments);
     EXPECT_EQ(end.status, 0) << end.err;
     EXPECT_EQ(end.err, "");

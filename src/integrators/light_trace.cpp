@@ -9,6 +9,7 @@
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
 #include "integrators/medium_stack.h"
+#include "integrators/path_colour.h"
 #include "integrators/path_lights.h"
 #include "integrators/path_queue.h"
 #include "integrators/path_state.h"
@@ -78,8 +79,9 @@ PathVertex SeenFrom(const PathVertex& vertex, Vec3 wo) {
   seen.material = vertex.material;
   const Vec3 n = vertex.point.n_geometric;
   const bool is_same_side = Dot(n, wo) * Dot(n, vertex.wo) > 0;
-  seen.bsdf.index_here = is_same_side ? vertex.bsdf.index_here : vertex.bsdf.index_beyond;
-  seen.bsdf.index_beyond = is_same_side ? vertex.bsdf.index_beyond : vertex.bsdf.index_here;
+  seen.bsdf.medium_here = is_same_side ? vertex.bsdf.medium_here : vertex.bsdf.medium_beyond;
+  seen.bsdf.medium_beyond = is_same_side ? vertex.bsdf.medium_beyond : vertex.bsdf.medium_here;
+  seen.bsdf.wavelength = vertex.bsdf.wavelength;
   seen.Evaluate();
   return seen;
 }
@@ -92,6 +94,7 @@ struct LightTraceIntegrator::Path {
   Spectrum flux;                      ///< What the light has sent out,
   Spectrum throughput = Spectrum(1);  ///< and the part of its power that is left.
   MediumStack media;                  ///< What it is in.
+  PathColour colour;
   BounceCounts bounces;
 };
 
@@ -210,6 +213,7 @@ bool LightTraceIntegrator::Emit(Path* path, Ray* ray) const {
   path->flux = sample.flux * (1 / probabilities_[chosen]);
   *ray = SpawnRay(sample.origin, sample.direction);
   ray->mask = kReflectionRay;
+  if (scene_.HasDispersion()) path->colour.Draw(path->sampler);
   // A path that goes on knows them from the surfaces that it has come through.
   if (has_media_) path->media = MediaAround(scene_, ray->origin);
   return true;
@@ -239,7 +243,9 @@ void LightTraceIntegrator::Shade(uint32_t step, Batch* batch) const {
       continue;
     }
     vertex.material = &scene_.material(hit);
+    vertex.bsdf.wavelength = path.colour.wavelength;
     vertex.Evaluate();
+    path.colour.Split(vertex.bsdf, &path.throughput);
     if (vertex.bsdf.HasSmoothPart()) Connect(path, step, vertex, batch);
     Ray next;
     if (!Scatter(step, vertex, &path, &next)) continue;

@@ -26,8 +26,8 @@ class MediumStack {
   Rgb Absorption(std::span<const Interior> interiors) const {
     return IsEmpty() ? Rgb() : interiors[Top(interiors)].medium.absorption;
   }
-  float Index(std::span<const Interior> interiors) const {
-    return IsEmpty() ? 1 : interiors[Top(interiors)].Index();
+  const Medium& SeenMedium(std::span<const Interior> interiors) const {
+    return IsEmpty() ? kAir : interiors[Top(interiors)].SeenMedium();
   }
 
   /// Into a body, and out of it; leaving one that light is not in changes nothing.

@@ -86,6 +86,7 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                path.sampler.Get2D(kLensDimension));
+    if (scene_.HasDispersion()) path.colour.Draw(path.sampler);
     output.Clear(i);
   }
   batch->rays.camera += samples.size();
@@ -141,7 +142,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     path.has_met_surface = true;
     if (is_last && !vertex.material->HasHoles() && !is_recorded) continue;
 
+    vertex.bsdf.wavelength = path.colour.wavelength;
     vertex.Evaluate();
+    path.colour.Split(vertex.bsdf, &path.throughput);
     if (is_recorded) {
       SampleLayers& layers = output.layers[path.sample];
       layers.albedo = AlbedoOf(vertex.bsdf);

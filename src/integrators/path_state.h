@@ -4,6 +4,7 @@
 
 #include "integrators/bounces.h"
 #include "integrators/medium_stack.h"
+#include "integrators/path_colour.h"
 #include "integrators/ray_cone.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
@@ -28,6 +29,7 @@ struct PathState {
   Sampler sampler{0, 0, 0, 0};
   Spectrum throughput = Spectrum(1);
   MediumStack media;  ///< What it is in.
+  PathColour colour;
   /// What brings `throughput`, which is about radiance, to a share of power: the square of the
   /// refractive index.
   float eta_squared = 1;

@@ -34,9 +34,9 @@ bool FindMedia(std::span<const Interior> interiors, uint32_t interior, const Med
   }
   if (here.Hides(interiors, interior, enters)) return false;
   if (interiors[interior].is_explicit) {
-    const float inside = interiors[interior].medium.ior;
-    vertex->bsdf.index_here = enters ? here.Index(interiors) : inside;
-    vertex->bsdf.index_beyond = enters ? inside : vertex->media_beyond.Index(interiors);
+    const Medium& inside = interiors[interior].medium;
+    vertex->bsdf.medium_here = enters ? &here.SeenMedium(interiors) : &inside;
+    vertex->bsdf.medium_beyond = enters ? &inside : &vertex->media_beyond.SeenMedium(interiors);
   }
   return true;
 }

@@ -8,15 +8,21 @@
 
 namespace candela {
 
+struct Medium;
+
 /// How light is scattered at one point. Trivially copyable; lives on the stack while a hit is
 /// shaded. Directions are unit vectors in world space that point away from the surface.
 struct Bsdf {
   static constexpr int kMostLobes = 4;
 
   Frame frame;  ///< Its z axis is the shading normal on the side of the ray that hit.
-  /// The refractive indices on that side and beyond, where a scene says what fills objects; else 0:
-  /// then the material knows its own, which it has against air.
-  float index_here = 0, index_beyond = 0;
+  /// What is on that side and beyond, where a scene says what fills objects; else null: then the
+  /// material knows its own, which it has against air.
+  const Medium *medium_here = nullptr, *medium_beyond = nullptr;
+  /// That of the light in nanometres; 0 for all of it. Set by the material: whether light of other
+  /// wavelengths would be scattered elsewhere.
+  float wavelength = 0;
+  bool is_dispersive = false;
   int count = 0;
   float pick_sum = 0;
   Lobe lobes[kMostLobes];

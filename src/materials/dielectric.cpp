@@ -26,6 +26,9 @@ std::unique_ptr<Material> DielectricMaterial::Create(ParamReader* params,
                                                      const MaterialContext& context) {
   const Medium medium = Medium::Create(params, 1.5f);
   if (params->Flag("thin", false)) {
+    if (!medium.dispersion.IsNone()) {
+      params->Error(params->Where("thin"), "a thin pane splits no light: it has no dispersion");
+    }
     const Rgb depth = medium.absorption * params->NonNegative("thickness", 0);
     return std::make_unique<PaneMaterial>(medium.ior, depth);
   }
@@ -58,19 +61,23 @@ PhongTerms DielectricMaterial::Phong(const SurfacePoint& point) const {
 }
 
 void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
-  float here = bsdf->index_here, beyond = bsdf->index_beyond;
-  if (here == 0) {
+  const Medium *here = bsdf->medium_here, *beyond = bsdf->medium_beyond;
+  if (!here) {
     const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
-    here = is_outside ? 1 : medium_.ior;
-    beyond = is_outside ? medium_.ior : 1;
+    here = is_outside ? &kAir : &medium_;
+    beyond = is_outside ? &medium_ : &kAir;
   }
+  const bool is_dispersive = !here->dispersion.IsNone() || !beyond->dispersion.IsNone();
+  const float wavelength = is_dispersive ? bsdf->wavelength : 0;
+  if (wavelength != 0) bsdf->is_dispersive = true;
   const float alpha = roughness_.AlphaAt(point);
   Lobe lobe{LobeKind::kSmoothDielectric, 1, Spectrum(1)};
-  lobe.dielectric = {beyond / here, {alpha, alpha}, nullptr, nullptr, 0};
+  const float eta = beyond->IndexAt(wavelength) / here->IndexAt(wavelength);
+  lobe.dielectric = {eta, {alpha, alpha}, nullptr, nullptr, 0};
   if (alpha >= kSmoothestAlpha) {
     for (const Tables& tables : tables_) {
-      const bool is_from_a = tables.index_a == here && tables.index_b == beyond;
-      if (!is_from_a && !(tables.index_b == here && tables.index_a == beyond)) continue;
+      const bool is_from_a = tables.index_a == here->ior && tables.index_b == beyond->ior;
+      if (!is_from_a && !(tables.index_b == here->ior && tables.index_a == beyond->ior)) continue;
       lobe.kind = LobeKind::kDielectric;
       lobe.dielectric.energy_here = is_from_a ? &tables.from_a : &tables.from_b;
       lobe.dielectric.energy_beyond = is_from_a ? &tables.from_b : &tables.from_a;

@@ -1,5 +1,7 @@
 #include "materials/medium.h"
 
+#include <fmt/format.h>
+
 namespace candela {
 namespace {
 
@@ -13,7 +15,20 @@ constexpr NamedNumber kSubstances[] = {
 
 Medium Medium::Create(ParamReader* params, float default_ior) {
   Medium medium;
-  medium.ior = ReadRefractiveIndex(params, "ior", default_ior);
+  if (const auto dispersion = ReadDispersion(params)) {
+    medium.dispersion = *dispersion;
+    if (!dispersion->IsNone()) medium.ior = dispersion->At(Dispersion::kYellow);
+    for (const char* name : {"ior", "abbe"}) {
+      if (!params->Has(name)) continue;
+      params->Error(params->Where(name),
+                    fmt::format("'{}' has no effect: 'cauchy' and 'sellmeier_b' say how light is "
+                                "refracted",
+                                name));
+    }
+  } else {
+    medium.ior = ReadRefractiveIndex(params, "ior", default_ior);
+    medium.dispersion = ReadAbbeNumber(params, medium.ior);
+  }
   medium.absorption = params->NonNegativeColor("absorption", {0, 0, 0});
   return medium;
 }

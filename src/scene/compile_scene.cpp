@@ -178,6 +178,13 @@ class SceneCompiler {
     scene_->materials_ = std::move(compiled.materials);
     scene_->material_places_ = std::move(compiled.places);
     scene_->textures_ = std::move(compiled.textures);
+    for (const auto& material : scene_->materials_) {
+      const Medium* body = material->Body();
+      scene_->has_dispersion_ |= body && !body->dispersion.IsNone();
+    }
+    for (const Interior& interior : scene_->interiors_) {
+      scene_->has_dispersion_ |= !interior.medium.dispersion.IsNone();
+    }
   }
 
   /// Moves the triangles of meshes that one object has into the world, where rays need no way to

@@ -17,13 +17,10 @@ struct Interior {
   bool is_explicit = false;
 
   /// As surfaces of other bodies see it.
-  float Index() const { return is_explicit ? medium.ior : 1; }
+  const Medium& SeenMedium() const { return is_explicit ? medium : kAir; }
 
   /// Interiors that have the same one are the same: a body may have several objects as its surface.
-  auto Key() const {
-    const Rgb& a = medium.absorption;
-    return std::tuple(medium.ior, a.x, a.y, a.z, priority, is_explicit);
-  }
+  auto Key() const { return std::tuple(medium.Key(), priority, is_explicit); }
 };
 
 }  // namespace candela

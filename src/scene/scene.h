@@ -44,6 +44,8 @@ class Scene {
 
   /// Whether surfaces of some objects have holes. Rays of the kind `kShadowRay` pass those objects.
   bool HasHoles() const { return has_holes_; }
+  /// Whether there are media that refract light by its wavelength.
+  bool HasDispersion() const { return has_dispersion_; }
 
   /// What all objects leave of the light in `ray.t_min <= t < ray.t_max`: the product of the shares
   /// of their surfaces where nothing is, which is 0 when one has no holes. One hit after the other:
@@ -108,6 +110,7 @@ class Scene {
   std::vector<Interior> interiors_;
   SceneTree tree_;
   bool has_holes_ = false;
+  bool has_dispersion_ = false;
 };
 
 }  // namespace candela

@@ -65,6 +65,8 @@ constexpr Law kLaws[] = {
     {"CF18", "a metal head-on"},
     {"CF19", "pane with all inner bounces"},
     {"CF20", "shift by a pane, depth in water"},
+    {"CF21", "deviation by a prism, by the colour of the light"},
+    {"CF22", "angles of the first and the second rainbow"},
     {"CF24", "silhouette of a sphere"},
     {"CF25", "blur disk of a lens"},
     {"CF26", "contrast of filters at a quarter of a cycle per pixel"},

@@ -118,12 +118,20 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
                                const SampleOutput& output, Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   paths.Resize(samples.size());
+  const Camera& camera = scene_.camera();
+  size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    paths.states()[i] = {i};
     if (output.HasLayers()) output.layers[i] = SampleLayers();
-    paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
+    Ray& ray = paths.rays()[started];
+    ray = camera.GenerateRay(samples[i].image_point);
+    if (ray.direction == Vec3()) {
+      output.radiance[i] = Spectrum();
+      continue;
+    }
+    paths.states()[started++] = {i};
   }
-  batch->rays.camera += samples.size();
+  paths.Resize(started);
+  batch->rays.camera += started;
 
   RayOrder order = RayOrder::kCoherent;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {

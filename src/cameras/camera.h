@@ -57,6 +57,10 @@ class Camera {
 
   virtual CameraFootprint FootprintPerUnit() const = 0;
 
+  /// The cosine of the angle between the ray of an image point and the axis of the lens, for a
+  /// camera whose lens has a flat film behind it; nothing for others.
+  virtual std::optional<float> CosineOnFlatFilm(Vec2 /*image_point*/) const { return std::nullopt; }
+
   /// Whether each image point has one ray, for want of a lens.
   virtual bool IsPinhole() const { return true; }
   /// Whether rays start in one point, or so near to it that what is around one is around all.

@@ -29,6 +29,9 @@ class PerspectiveCamera final : public Camera {
   std::optional<CameraConnection> Connect(Vec3 p, Vec2 u) const override;
   float DepthOf(Vec3 p) const override { return Dot(p - center_, lens_.view()); }
   CameraFootprint FootprintPerUnit() const override { return {0, angle_per_unit_}; }
+  std::optional<float> CosineOnFlatFilm(Vec2 image_point) const override {
+    return Dot(GenerateRay(image_point).direction, lens_.view());
+  }
   bool IsPinhole() const override { return lens_.IsPinhole(); }
   std::string Description() const override;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,8 +37,15 @@ class Camera {
   /// fisheye, the direction is 0, and there is nothing to be traced.
   virtual Ray GenerateRay(Vec2 image_point) const = 0;
 
-  /// The same through a point of the lens, drawn with two numbers in [0, 1): it meets the ray
-  /// through the middle where that is in focus.
+  /// The same for many image points in less time: into as many `rays`. True when it is certain that
+  /// each of them shows something.
+  virtual bool GenerateRays(std::span<const Vec2> image_points, Ray* rays) const {
+    for (const Vec2 image_point : image_points) *rays++ = GenerateRay(image_point);
+    return false;
+  }
+
+  /// The ray of an image point through a point of the lens, drawn with two numbers in [0, 1): it
+  /// meets the ray through the middle where that is in focus.
   virtual Ray GenerateRay(Vec2 image_point, Vec2 /*u*/) const { return GenerateRay(image_point); }
 
   /// The way from the point `p` to the camera, through a point of the lens that is drawn with two

@@ -37,6 +37,22 @@ std::string PerspectiveCamera::Description() const {
   return fmt::format("{}, {:.6g} degrees", DescribeView(spec_), spec_.fov_degrees);
 }
 
+// Written in place, member by member: a ray that is made elsewhere and copied would wait for its
+// own members to be stored.
+bool PerspectiveCamera::GenerateRays(std::span<const Vec2> image_points, Ray* rays) const {
+  const Vec3 center = center_, forward = forward_, right = right_, up = up_;
+  for (const Vec2 image_point : image_points) {
+    Ray& ray = *rays++;
+    ray.origin = center;
+    ray.t_min = 0;
+    ray.direction = Normalize(forward + right * image_point.x + up * image_point.y);
+    ray.t_max = Ray().t_max;
+    ray.time = 0;
+    ray.mask = kCameraRay;
+  }
+  return true;
+}
+
 // The ray of the middle, along d, is in focus at d F / (d.n) from the centre, with the distance of
 // focus F and the normal n of the plane. Where a tilted plane lies behind, d.n is negative: what
 // the lens gathers from there would meet behind it, so it sees a beam that spreads from there. In

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "cameras/camera.h"
@@ -25,6 +26,7 @@ class PerspectiveCamera final : public Camera {
     ray.mask = kCameraRay;
     return ray;
   }
+  bool GenerateRays(std::span<const Vec2> image_points, Ray* rays) const override;
   Ray GenerateRay(Vec2 image_point, Vec2 u) const override;
   std::optional<CameraConnection> Connect(Vec3 p, Vec2 u) const override;
   float DepthOf(Vec3 p) const override { return Dot(p - center_, lens_.view()); }

@@ -33,6 +33,7 @@ struct PathIntegrator::Batch final : Workspace {
   };
 
   PathQueue<PathState> paths;
+  std::vector<Vec2> image_points;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
   std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
@@ -78,21 +79,27 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   const CameraFootprint footprint = camera.FootprintPerUnit();
   PathState first;
   first.media = media_at_camera_;
+  if (is_pinhole) {
+    const auto image_points = FirstOf(&batch->image_points, samples.size());
+    for (size_t i = 0; i < samples.size(); ++i) image_points[i] = samples[i].image_point;
+    camera.GenerateRays(image_points, paths.rays().data());
+  }
   size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
-    PathState& path = paths.states()[started];
+    PathState& path = paths.states()[i];
     path = first;
     path.sample = i;
     path.cone = {request.spacing * footprint.width, request.spacing * footprint.spread};
     path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
-    Ray& ray = paths.rays()[started];
-    ray = is_pinhole ? camera.GenerateRay(request.image_point)
-                     : camera.GenerateRay(request.image_point, path.sampler.Get2D(kLensDimension));
+    Ray& ray = paths.rays()[i];
+    if (!is_pinhole) {
+      ray = camera.GenerateRay(request.image_point, path.sampler.Get2D(kLensDimension));
+    }
     output.Clear(i);
     if (ray.direction == Vec3()) continue;
     if (!starts_in_one_place_) path.media = MediaAround(scene_, ray.origin);
-    ++started;
+    paths.MoveTo(started++, i);
   }
   paths.Resize(started);
   batch->rays.camera += started;

@@ -87,6 +87,27 @@ TEST_P(EveryCamera, DirectionsAreUnitVectorsOrNone) {
   }
 }
 
+TEST_P(EveryCamera, ManyRaysAreThoseOfTheirPoints) {
+  for (const auto& scene : Scenes()) {
+    UniformNumbers random(6);
+    std::vector<Vec2> points;
+    for (int i = 0; i < 300; ++i) points.push_back(RandomPoint(&random) * 1.1f);
+    std::vector<Ray> rays(points.size());
+    const bool all_see = scene->camera().GenerateRays(points, rays.data());
+    for (size_t i = 0; i < points.size(); ++i) {
+      const Ray alone = scene->camera().GenerateRay(points[i]);
+      EXPECT_EQ(rays[i].origin, alone.origin);
+      EXPECT_EQ(rays[i].direction, alone.direction);
+      EXPECT_EQ(rays[i].mask, alone.mask);
+      EXPECT_EQ(rays[i].t_min, alone.t_min);
+      EXPECT_EQ(rays[i].t_max, alone.t_max);
+      if (all_see) {
+        EXPECT_FALSE(SeesNothing(rays[i]));
+      }
+    }
+  }
+}
+
 // Without a shift that is the direction of view, and what is in the middle there has its distance.
 TEST_P(EveryCamera, TheMiddleIsTheDirectionOfView) {
   const std::string example(GetParam().example);

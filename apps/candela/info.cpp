@@ -64,7 +64,6 @@ std::string ToText(const ParamSet& settings) {
 std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
                   const RenderSettings& settings) {
   const SceneFacts facts(loaded);
-  const CameraSpec& camera = loaded.spec.camera;
   const BackgroundSpec& background = loaded.spec.background;
   std::string text = Row("scene", path.string());
   text += Row("objects", WithTypes(facts.objects, facts.objects_by_type));
@@ -81,9 +80,7 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
                                                         : ToText(background.color));
   text += Row("ambient", ToText(background.ambient_light));
   text += BoundsRow(loaded.scene->Bounds());
-  text +=
-      Row("camera", fmt::format("at {}, direction {}, up {}, {:.6g} degrees", ToText(camera.center),
-                                ToText(camera.direction), ToText(camera.up), camera.fov_degrees));
+  text += Row("camera", loaded.scene->camera().Description());
   text += Row("render", ToText(settings.render));
   text += Row("film", ToText(settings.film));
   text += TreeRow(loaded.scene->tree());

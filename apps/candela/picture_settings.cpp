@@ -10,7 +10,6 @@
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "integrators/whitted.h"
-#include "math/elementary.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -28,9 +27,8 @@ constexpr ArgTraits kInRender{.block = "Render"}, kInFilm{.block = "Film"};
 void PictureSettings::AddTone(ArgParser* parser) {
   parser->Option("tonemap", {Choice("CURVE", &tonemap_, ToneCurveNames())}, ToneCurveSummaries(),
                  kInFilm);
-  parser->Option("exposure", {Real("EV", &exposure_)},
-                 "brightness of .png and .jpg files in stops: 1 doubles the light (default 0)",
-                 kInFilm);
+  exposure_.Add(parser);
+  lens_.Add(parser);
 }
 
 void PictureSettings::AddGrid(ArgParser* parser) {
@@ -87,16 +85,30 @@ Result<void> PictureSettings::CheckJitter() const {
 }
 
 Result<void> PictureSettings::CheckTone(const ArgParser& parser) const {
-  for (const char* name : {"tonemap", "exposure"}) {
+  for (const char* name :
+       {"tonemap", "exposure", "iso", "f-stop", "shutter", "bloom", "vignette"}) {
     if (!parser.Has(name)) continue;
     if (!request_.output) {
       return UsageError(fmt::format("--{} is for the picture of --output: give both", name));
     }
-    if (IsForDisplays(*FormatOf(*request_.output))) continue;
+    const bool is_for_all =
+        std::string_view(name) == "bloom" || std::string_view(name) == "vignette";
+    if (is_for_all || IsForDisplays(*FormatOf(*request_.output))) continue;
     return UsageError(
         fmt::format("--{} is for .png and .jpg files; the others hold the light itself", name));
   }
   return {};
+}
+
+Result<void> PictureSettings::CheckFilm(const ArgParser& parser) const {
+  if (const auto done = exposure_.Check(parser); !done) return done;
+  return lens_.Check(parser);
+}
+
+void PictureSettings::MergeFilm(const ArgParser& parser, const SceneSpec& spec,
+                                Diagnostics* diagnostics) {
+  exposure_.Merge(parser, spec.film.params, diagnostics);
+  lens_.CheckScene(parser, spec, diagnostics);
 }
 
 void PictureSettings::DropSamplesOfScene(const ArgParser& parser) {
@@ -193,12 +205,12 @@ void PictureSettings::FinishGrid() {
 
 void PictureSettings::FinishTone() {
   if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
-  const float exposure = exposure_.value_or(0);
-  exposure_.reset();
-  // Without both the course's quantisation stays as it is.
-  if (*tonemap_ == "none" && exposure == 0) return;
-  exposure_ = exposure;
-  request_.output_options.tone = {FindToneCurve(*tonemap_), Exp2(exposure)};
+  request_.output_options.lens = lens_.Effects();
+  // Without curve and exposure the course's quantisation stays as it is.
+  const bool is_plain =
+      *tonemap_ == "none" && !exposure_.IsPhotographic() && exposure_.Stops() == 0;
+  exposure_.Show(!is_plain);
+  if (!is_plain) request_.output_options.tone = {FindToneCurve(*tonemap_), exposure_.Gain()};
 }
 
 bool PictureSettings::IsPhysical() const {

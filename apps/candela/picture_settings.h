@@ -6,10 +6,13 @@
 
 #include "base/diagnostics.h"
 #include "base/result.h"
+#include "candela/exposure_settings.h"
+#include "candela/lens_settings.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/render_request.h"
 #include "scene_spec/param_set.h"
+#include "scene_spec/scene_spec.h"
 
 namespace candela {
 
@@ -20,7 +23,7 @@ class PictureSettings {
  public:
   explicit PictureSettings(RenderRequest* request) : request_(*request) {}
 
-  /// tonemap, exposure
+  /// tonemap, and those of `ExposureSettings` and `LensSettings`
   void AddTone(ArgParser* parser);
   /// pixel-grid
   void AddGrid(ArgParser* parser);
@@ -32,7 +35,11 @@ class PictureSettings {
   // What can be said without the scene.
   Result<void> CheckJitter() const;
   Result<void> CheckTone(const ArgParser& parser) const;
+  /// What can be said of the exposure and the lens once the settings of the scene are known.
+  Result<void> CheckFilm(const ArgParser& parser) const;
 
+  /// What the scene and the command line say of the same in different words.
+  void MergeFilm(const ArgParser& parser, const SceneSpec& spec, Diagnostics* diagnostics);
   /// Whoever asks for the course's samples does not get those of the scene.
   void DropSamplesOfScene(const ArgParser& parser);
   /// What the integrator does not know of what the scene or the command line sets is dropped with a
@@ -57,7 +64,8 @@ class PictureSettings {
   bool jitter_ = false;
   std::string sampler_ = "sobol";
   std::optional<std::string> filter_, grid_, tonemap_;
-  std::optional<float> exposure_;
+  ExposureSettings exposure_;
+  LensSettings lens_;
   std::optional<uint32_t> samples_;
 };
 

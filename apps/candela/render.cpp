@@ -77,6 +77,7 @@ class RenderCommand {
   Result<void> Finish() {
     picture_.Finish();
     if (const auto done = common_.FinishSize(parser_); !done) return done;
+    if (const auto done = picture_.CheckFilm(parser_); !done) return done;
     if (const auto done = CheckAbilities(); !done) return done;
     return FinishWindow();
   }
@@ -161,6 +162,7 @@ void RenderCommand::ReadSettings(const SceneSpec& spec, Diagnostics* diagnostics
                        fmt::format("'size' expects sides of at most {} pixels", kLargestCount),
                        fits.error().code);
   }
+  picture_.MergeFilm(parser_, spec, diagnostics);
   picture_.DropSamplesOfScene(parser_);
   picture_.CheckForIntegrator(parser_, spec.render.params, diagnostics);
 }

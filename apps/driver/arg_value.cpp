@@ -72,6 +72,16 @@ ArgValue Positive(std::string label, std::optional<float>* target) {
   return {std::move(label), "a number above 0", store, {}, [target] { return Show(*target); }};
 }
 
+ArgValue Fraction(std::string label, std::optional<float>* target) {
+  const auto store = [target](std::string_view text) {
+    const auto value = ParseFloat(text);
+    if (!value || *value < 0 || *value > 1) return false;
+    *target = *value;
+    return true;
+  };
+  return {std::move(label), "a number from 0 to 1", store, {}, [target] { return Show(*target); }};
+}
+
 ArgValue NotNegative(std::string label, std::optional<double>* target) {
   const auto store = [target](std::string_view text) {
     const auto value = ParseDouble(text);

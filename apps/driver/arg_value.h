@@ -63,6 +63,8 @@ ArgValue Real(std::string label, float* target);
 ArgValue Real(std::string label, std::optional<float>* target);
 /// A number above 0 that is finite as a float.
 ArgValue Positive(std::string label, std::optional<float>* target);
+/// A number from 0 to 1.
+ArgValue Fraction(std::string label, std::optional<float>* target);
 /// A number of at least 0.
 ArgValue NotNegative(std::string label, std::optional<double>* target);
 

@@ -77,6 +77,20 @@ std::string PictureOptions(const RenderRequest& request) {
   return options;
 }
 
+namespace {
+
+/// What else is done to the colours, when they are written.
+std::string LensText(const LensEffects& lens) {
+  std::string text;
+  if (lens.HasBloom()) {
+    text += fmt::format(" --bloom {} {}", lens.bloom_strength, lens.bloom_radius);
+  }
+  if (lens.vignette > 0) text += fmt::format(" --vignette {}", lens.vignette);
+  return text;
+}
+
+}  // namespace
+
 CheckpointOwner OwnerOfCheckpoint(const RenderRequest& request, std::string scene_hash) {
   return {CANDELA_VERSION, std::move(scene_hash), PictureOptions(request)};
 }
@@ -88,7 +102,7 @@ std::vector<ExrAttribute> PictureAttributes(const RenderRequest& request,
           {"candela/integrator", request.integrator},
           {"candela/samples", std::to_string(request.render.samples)},
           {"candela/seed", std::to_string(request.render.seed)},
-          {"candela/options", PictureOptions(request)}};
+          {"candela/options", PictureOptions(request) + LensText(request.output_options.lens)}};
 }
 
 }  // namespace candela

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/lens_effects.h"
 #include "driver/load_scene.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
@@ -16,7 +17,8 @@ namespace candela {
 /// How picture files are written.
 struct OutputOptions {
   int png_bits = 8;  ///< 8 or 16.
-  ToneMapping tone;  ///< Of the colour picture.
+  ToneMapping tone;  ///< Of the colour picture,
+  LensEffects lens;  ///< and what comes before it, in all formats.
   /// An EXR file of it tells how it was made. Not by the course program, whose files hold what the
   /// course says.
   bool has_facts = false;

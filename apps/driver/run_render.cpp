@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -136,9 +137,13 @@ class RenderRun {
   }
 
   Result<void> CheckMemory(const Integrator& integrator) const {
-    const uint64_t need =
+    // Where the picture alone is too much the rest does not matter.
+    const uint64_t picture =
         EstimateMemory(request_.render, integrator, request_.normals || request_.depth,
                        request_.checkpoint.has_value());
+    const uint64_t lens =
+        request_.output_options.lens.BytesPerPixel() * request_.render.crop.PixelCount();
+    const uint64_t need = picture + std::min(lens, std::numeric_limits<uint64_t>::max() - picture);
     const uint64_t available = AvailableMemory();
     if (need <= available) return {};
     const double gibibyte = 1 << 30;
@@ -175,7 +180,9 @@ class RenderRun {
       hash = *std::move(hashed);
     }
     if (has_facts) encoding.attributes = PictureAttributes(request_, hash);
-    FilmEncoder encoder(job.film(), format, encoding);
+    FilmEncoder encoder(
+        job.film(), format, encoding,
+        request_.output_options.lens.Finishing(loaded_->scene->camera(), request_.render));
     std::optional<CheckpointFile> checkpoint;
     if (request_.checkpoint) {
       checkpoint.emplace(*request_.checkpoint, OwnerOfCheckpoint(request_, hash),

@@ -1,18 +1,15 @@
 #include "cameras/perspective_camera.h"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "math/elementary.h"
-#include "sampling/warp.h"
 
 namespace candela {
 
 PerspectiveCamera::PerspectiveCamera(const CameraSpec& spec)
-    : center_(spec.center),
-      lens_radius_(spec.aperture / 2),
-      blades_(spec.blades),
-      focus_distance_(spec.focus_distance) {
+    : spec_(spec), center_(spec.center), lens_(spec) {
   const Vec3 direction = NormalizeAnyLength(spec.direction);
   const Vec3 up = NormalizeAnyLength(spec.up);
   const Vec3 right = NormalizeAnyLength(Cross(direction, up));
@@ -24,21 +21,57 @@ PerspectiveCamera::PerspectiveCamera(const CameraSpec& spec)
   forward_ = direction / static_cast<float>(fraction);
   right_ = right * scale;
   up_ = up * scale;
-  view_ = direction;
-  lens_x_ = right;
-  lens_y_ = Cross(right, direction);
+  angle_per_unit_ = Length(up_) / Length(forward_);
+  if (spec.shift != Vec2()) forward_ += right_ * spec.shift.x + up_ * spec.shift.y;
 }
 
+std::unique_ptr<Camera> PerspectiveCamera::Create(ParamReader* params, CameraSpec view) {
+  view.fov_degrees = params->RequiredAngle("fov");
+  ReadLens(params, &view);
+  ReadTilt(params, &view);
+  view.shift = params->Pair("shift", {0, 0});
+  return std::make_unique<PerspectiveCamera>(view);
+}
+
+std::string PerspectiveCamera::Description() const {
+  return fmt::format("{}, {:.6g} degrees", DescribeView(spec_), spec_.fov_degrees);
+}
+
+// Written in place, member by member: a ray that is made elsewhere and copied would wait for its
+// own members to be stored.
+bool PerspectiveCamera::GenerateRays(std::span<const Vec2> image_points, Ray* rays) const {
+  const Vec3 center = center_, forward = forward_, right = right_, up = up_;
+  for (const Vec2 image_point : image_points) {
+    Ray& ray = *rays++;
+    ray.origin = center;
+    ray.t_min = 0;
+    ray.direction = Normalize(forward + right * image_point.x + up * image_point.y);
+    ray.t_max = Ray().t_max;
+    ray.time = 0;
+    ray.mask = kCameraRay;
+  }
+  return true;
+}
+
+// The ray of the middle, along d, is in focus at d F / (d.n) from the centre, with the distance of
+// focus F and the normal n of the plane. Where a tilted plane lies behind, d.n is negative: what
+// the lens gathers from there would meet behind it, so it sees a beam that spreads from there. In
+// between, d.n = 0, it sees the same direction from everywhere.
 Ray PerspectiveCamera::GenerateRay(Vec2 image_point, Vec2 u) const {
   Ray ray = GenerateRay(image_point);
   if (IsPinhole()) return ray;
-  const float ahead = Dot(ray.direction, view_);
+  const float ahead = Dot(ray.direction, lens_.view());
   if (!(ahead > 0))
     return ray;  // A slanted `up` may lead the picture to where nothing is in focus.
-  const Vec3 in_focus = ray.direction * (focus_distance_ / ahead);
-  const Vec3 offset = OnLens(u);
+  const Vec3 offset = lens_.PointAt(u);
   ray.origin = center_ + offset;
-  ray.direction = Normalize(in_focus - offset);
+  if (lens_.IsTilted()) {
+    const float over_distance = Dot(ray.direction, lens_.focus_normal()) / lens_.focus_distance();
+    ray.direction = Normalize(ray.direction - offset * over_distance);
+  } else {
+    const Vec3 in_focus = ray.direction * (lens_.focus_distance() / ahead);
+    ray.direction = Normalize(in_focus - offset);
+  }
   return ray;
 }
 
@@ -53,21 +86,35 @@ std::optional<Vec2> PerspectiveCamera::ImagePointOf(Vec3d way) const {
               static_cast<float>(Dot(way, Cross(forward, right)) / (determinant * depth))};
 }
 
+// `GenerateRay` makes w ~ d - o (d.n) / F of d, with the offset o; the product with n gives
+// w.n ~ (d.n) (1 - o.n / F), so d ~ w + o (w.n) / (F - o.n).
+Vec3d PerspectiveCamera::SeenFromCentre(Vec3d offset, Vec3d way) const {
+  const auto focus = static_cast<double>(lens_.focus_distance());
+  if (!lens_.IsTilted()) return offset + way * (focus / Dot(way, ToDouble(lens_.view())));
+  const Vec3d n = ToDouble(lens_.focus_normal());
+  return way + offset * (Dot(way, n) / (focus - Dot(offset, n)));
+}
+
 // With d = forward + right x + up y and D = |det(forward, right, up)|, a part dx dy of the image
-// plane is seen from the centre under the solid angle D / |d|^3 dx dy. On the plane in focus, at
-// the distance f along the unit direction of view v, it covers the area D f^2 / (d.v)^3 dx dy,
-// which a point of the lens sees along w, of any length, under the solid angle
-// D (w.v)^3 / (|w| (d.v))^3 dx dy.
+// plane is seen from the centre under the solid angle D / |d|^3 dx dy. A point of the lens sees it
+// along w = d - o (d.n) / F, which is linear in d with the determinant 1 - o.n / F, so under the
+// solid angle D (1 - o.n / F) / |w|^3 dx dy. Of w only the length is lost on the way, and w.v is
+// d.v for the direction of view v, at right angles to o.
 std::optional<CameraConnection> PerspectiveCamera::Connect(Vec3 p, Vec2 u) const {
   Vec3d way = ToDouble(p) - ToDouble(center_);
-  const Vec3d view = ToDouble(view_);
+  const Vec3d view = ToDouble(lens_.view());
   // What is not ahead of the lens is seen through its middle only; see `GenerateRay`.
   const bool has_lens = !IsPinhole() && Dot(way, view) > 0;
   Vec3d seen = way;
+  double narrowing = 1;
   if (has_lens) {
-    const Vec3d offset = ToDouble(OnLens(u));
+    const Vec3d offset = ToDouble(lens_.PointAt(u));
     way = way - offset;
-    seen = offset + way * (double{focus_distance_} / Dot(way, view));
+    seen = SeenFromCentre(offset, way);
+    if (lens_.IsTilted()) {
+      narrowing -=
+          Dot(offset, ToDouble(lens_.focus_normal())) / static_cast<double>(lens_.focus_distance());
+    }
   }
   const std::optional<Vec2> image_point = ImagePointOf(seen);
   const double distance = Length(way);
@@ -76,7 +123,7 @@ std::optional<CameraConnection> PerspectiveCamera::Connect(Vec3 p, Vec2 u) const
   const Vec3d d = ToDouble(forward_) + ToDouble(right_) * double{image_point->x} +
                   ToDouble(up_) * double{image_point->y};
   const double determinant =
-      std::abs(Dot(ToDouble(forward_), Cross(ToDouble(right_), ToDouble(up_))));
+      std::abs(Dot(ToDouble(forward_), Cross(ToDouble(right_), ToDouble(up_)))) * narrowing;
   const double stretch = has_lens ? distance * Dot(d, view) / Dot(way, view) : Length(d);
   CameraConnection connection;
   connection.direction = ToFloat(way * (-1 / distance));
@@ -85,26 +132,6 @@ std::optional<CameraConnection> PerspectiveCamera::Connect(Vec3 p, Vec2 u) const
   connection.importance =
       static_cast<float>(stretch * stretch * stretch / (determinant * distance * distance));
   return connection;
-}
-
-Vec3 PerspectiveCamera::OnLens(Vec2 u) const {
-  const Vec2 on_lens = SampleLens(u);
-  return lens_x_ * on_lens.x + lens_y_ * on_lens.y;
-}
-
-Vec2 PerspectiveCamera::SampleLens(Vec2 u) const {
-  if (blades_ == 0) return SampleDisk(u) * lens_radius_;
-  // A regular polygon with its corners on the rim of the round opening: one of its triangles around
-  // the middle, then a point of that.
-  const float scaled = u.x * static_cast<float>(blades_);
-  const int blade = std::min(static_cast<int>(scaled), blades_ - 1);
-  const Vec2 weights =
-      SampleTriangle({std::min(scaled - static_cast<float>(blade), 0x1.fffffep-1f), u.y});
-  const auto corner = [this](int i) {
-    const double degrees = 90 + 360.0 * i / blades_;  // The first one is on top.
-    return Vec2{static_cast<float>(CosDegrees(degrees)), static_cast<float>(SinDegrees(degrees))};
-  };
-  return (corner(blade) * weights.x + corner(blade + 1) * weights.y) * lens_radius_;
 }
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "image/quantise.h"
 
@@ -18,11 +19,11 @@ Image ToImage(const Film& film) {
 
 namespace {
 
-/// Colours and layers of a film in one file.
-Result<std::string> EncodeLayers(const Film& film, const EncodeOptions& options) {
+/// Layers of a film in one file with its colours, which are those of `colours`.
+Result<std::string> EncodeLayers(const Film& film, const float* colours,
+                                 const EncodeOptions& options) {
   const PixelWindow& window = film.Window();
   std::vector<ExrChannel> channels;
-  const float* colours = film.Row(window.y0).data();
   for (const char* name : {"R", "G", "B"}) channels.push_back({name, false, colours++, 3});
   for (size_t i = 0; i < kLayerCount; ++i) {
     const auto layer = static_cast<Layer>(i);
@@ -39,9 +40,10 @@ Result<std::string> EncodeLayers(const Film& film, const EncodeOptions& options)
 
 }  // namespace
 
-FilmEncoder::FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options)
-    : film_(film), format_(format), options_(options) {
-  if (format != ImageFormat::kPng || options.png_bits != 8) return;
+FilmEncoder::FilmEncoder(const Film& film, ImageFormat format, const EncodeOptions& options,
+                         Finishing finishing)
+    : film_(film), format_(format), options_(options), finishing_(std::move(finishing)) {
+  if (finishing_ || format != ImageFormat::kPng || options.png_bits != 8) return;
   const PixelWindow& window = film.Window();
   png_.emplace(window.Width(), window.Height(), 3, 8, PngEffort::kFast);
 }
@@ -68,10 +70,15 @@ void FilmEncoder::Advance(int y_end) {
 }
 
 Result<std::string> FilmEncoder::Finish() {
-  if (!film_.RecordedLayers().IsEmpty()) {
-    CHECK(format_ == ImageFormat::kExr);
-    return EncodeLayers(film_, options_);
+  const bool has_layers = !film_.RecordedLayers().IsEmpty();
+  if (has_layers) CHECK(format_ == ImageFormat::kExr);
+  if (finishing_) {
+    Image picture = ToImage(film_);
+    finishing_(&picture);
+    return has_layers ? EncodeLayers(film_, picture.Samples().data(), options_)
+                      : EncodeImage(picture, format_, options_);
   }
+  if (has_layers) return EncodeLayers(film_, film_.Row(film_.Window().y0).data(), options_);
   if (!png_) return EncodeImage(ToImage(film_), format_, options_);
   Advance(film_.Window().Height());
   return png_->Finish();

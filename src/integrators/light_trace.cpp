@@ -105,6 +105,7 @@ struct LightTraceIntegrator::Batch final : Workspace {
   std::vector<Splat> connections;   ///< What comes to the camera if nothing is in the way.
   std::vector<Ray> camera_rays;     ///< The way of each,
   std::vector<uint8_t> is_blocked;  ///< and whether something is in it.
+  std::vector<Vec2> repeats;        ///< Where else one of them is seen.
 };
 
 LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorOptions& options)
@@ -299,7 +300,13 @@ void LightTraceIntegrator::AddConnections(Batch* batch, std::vector<Splat>* spla
   batch->rays.shadow += count;
   scene_.Occluded(RayOrder::kScattered, batch->camera_rays, FirstOf(&batch->is_blocked, count));
   for (size_t i = 0; i < count; ++i) {
-    if (!batch->is_blocked[i]) splats->push_back(batch->connections[i]);
+    if (batch->is_blocked[i]) continue;
+    const Splat& splat = batch->connections[i];
+    splats->push_back(splat);
+    if (!scene_.camera().Repeats()) continue;
+    batch->repeats.clear();
+    scene_.camera().AddRepeats(splat.image_point, &batch->repeats);
+    for (const Vec2 image_point : batch->repeats) splats->push_back({image_point, splat.radiance});
   }
 }
 

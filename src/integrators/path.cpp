@@ -33,6 +33,7 @@ struct PathIntegrator::Batch final : Workspace {
   };
 
   PathQueue<PathState> paths;
+  std::vector<Vec2> image_points;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
   std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
@@ -43,6 +44,7 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
     : scene_(scene),
       lights_(scene, techniques),
       media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
+      starts_in_one_place_(scene.camera().IsInOnePlace() || scene.interiors().empty()),
       limits_(options),
       seed_(options.seed),
       sampler_(options.sampler),
@@ -72,24 +74,36 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
                             const SampleOutput& output) const {
   PathQueue<PathState>& paths = batch->paths;
   paths.Resize(samples.size());
-  const bool is_pinhole = scene_.camera().IsPinhole();
-  const float angle_per_unit = scene_.camera().AnglePerUnit();
+  const Camera& camera = scene_.camera();
+  const bool is_pinhole = camera.IsPinhole();
+  const CameraFootprint footprint = camera.FootprintPerUnit();
   PathState first;
   first.media = media_at_camera_;
+  if (is_pinhole) {
+    const auto image_points = FirstOf(&batch->image_points, samples.size());
+    for (size_t i = 0; i < samples.size(); ++i) image_points[i] = samples[i].image_point;
+    camera.GenerateRays(image_points, paths.rays().data());
+  }
+  size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
     PathState& path = paths.states()[i];
     path = first;
     path.sample = i;
-    path.cone.spread = request.spacing * angle_per_unit;
+    path.cone = {request.spacing * footprint.width, request.spacing * footprint.spread};
     path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
-    paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
-                                 : scene_.camera().GenerateRay(request.image_point,
-                                                               path.sampler.Get2D(kLensDimension));
+    Ray& ray = paths.rays()[i];
+    if (!is_pinhole) {
+      ray = camera.GenerateRay(request.image_point, path.sampler.Get2D(kLensDimension));
+    }
     if (scene_.HasDispersion()) path.colour.Draw(path.sampler);
     output.Clear(i);
+    if (ray.direction == Vec3()) continue;
+    if (!starts_in_one_place_) path.media = MediaAround(scene_, ray.origin);
+    paths.MoveTo(started++, i);
   }
-  batch->rays.camera += samples.size();
+  paths.Resize(started);
+  batch->rays.camera += started;
 
   RayOrder order = is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered;
   for (uint32_t step = 0; paths.size() > 0; ++step) {

@@ -56,6 +56,7 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   PathLights lights_;
   MediumStack media_at_camera_;
+  bool starts_in_one_place_;  ///< If not, the media have to be found for each ray.
   BounceLimits limits_;
   uint32_t seed_;
   SamplerType sampler_;

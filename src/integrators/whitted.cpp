@@ -72,6 +72,7 @@ struct Shading {
 /// the same place; there may be more of them.
 struct WhittedIntegrator::Batch final : Workspace {
   PathQueue<Path> paths;
+  std::vector<Vec2> image_points;
   std::vector<Shading> shadings;
   std::vector<Ray> shadow_rays;      ///< Towards the light in work,
   std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
@@ -118,12 +119,21 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
                                const SampleOutput& output, Observer* observer) const {
   PathQueue<Path>& paths = batch->paths;
   paths.Resize(samples.size());
+  const auto image_points = FirstOf(&batch->image_points, samples.size());
+  for (size_t i = 0; i < samples.size(); ++i) image_points[i] = samples[i].image_point;
+  const bool all_see = scene_.camera().GenerateRays(image_points, paths.rays().data());
+  size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    paths.states()[i] = {i};
     if (output.HasLayers()) output.layers[i] = SampleLayers();
-    paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
+    if (!all_see && paths.rays()[i].direction == Vec3()) {
+      output.radiance[i] = Spectrum();
+      continue;
+    }
+    paths.states()[i] = {i};
+    paths.MoveTo(started++, i);
   }
-  batch->rays.camera += samples.size();
+  paths.Resize(started);
+  batch->rays.camera += started;
 
   RayOrder order = RayOrder::kCoherent;
   for (uint32_t bounce = 0; paths.size() > 0; ++bounce) {

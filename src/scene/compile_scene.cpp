@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "cameras/registry.h"
 #include "lights/registry.h"
 #include "scene/compile_interiors.h"
 #include "scene/compile_materials.h"
@@ -24,14 +25,13 @@ class SceneCompiler {
   static constexpr uint64_t kFewTriangles = 1000;
 
   SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics, SceneSpec* resolved)
-      : spec_(spec),
-        diagnostics_(*diagnostics),
-        resolved_(resolved),
-        scene_(new Scene(spec.camera)) {
+      : spec_(spec), diagnostics_(*diagnostics), resolved_(resolved), scene_(new Scene()) {
     if (resolved_) *resolved_ = spec;
   }
 
   std::unique_ptr<Scene> Compile() {
+    scene_->camera_ = CreateCamera(spec_.camera, &diagnostics_,
+                                   EmptiedParams(resolved_ ? &resolved_->camera : nullptr));
     CompileBackground();
     node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
     materials_.emplace(spec_, node_interiors_.indices, &diagnostics_, resolved_);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/source_location.h"
-#include "cameras/perspective_camera.h"
+#include "cameras/camera.h"
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
 #include "geometry/surface_point.h"
@@ -69,7 +69,7 @@ class Scene {
   /// The texture coordinates of a hit, whether or not the material asks for them.
   Vec2 TextureCoordinatesAt(const Ray& ray, const HitRecord& hit) const;
 
-  const PerspectiveCamera& camera() const { return camera_; }
+  const Camera& camera() const { return *camera_; }
   const Background& background() const { return background_; }
   const std::vector<SceneObject>& objects() const { return objects_; }
   /// In the order of the scene file, the ones of area included.
@@ -96,9 +96,9 @@ class Scene {
 
  private:
   friend class SceneCompiler;
-  explicit Scene(const CameraSpec& camera) : camera_(camera) {}
+  Scene() = default;
 
-  PerspectiveCamera camera_;
+  std::unique_ptr<const Camera> camera_;
   Background background_;
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;

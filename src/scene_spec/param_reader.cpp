@@ -24,6 +24,12 @@ bool IsNonNegative(float value) {
 bool IsAngle(float value) {
   return value > 0 && value < 180;
 }
+bool IsHalfAngle(float value) {
+  return value > 0 && value <= 180;
+}
+bool IsFullAngle(float value) {
+  return value > 0 && value <= 360;
+}
 bool IsFraction(float value) {
   return value >= 0 && value <= 1;
 }
@@ -187,6 +193,16 @@ float ParamReader::Fraction(std::string_view name, float default_value) {
 float ParamReader::RequiredAngle(std::string_view name) {
   const NumberRule rule{"an angle above 0 and below 180 degrees", IsAngle};
   return Noted(name, OneNumber(name, true, rule).value_or(90.0f));
+}
+
+float ParamReader::HalfAngle(std::string_view name, float default_value) {
+  const NumberRule rule{"an angle above 0 and at most 180 degrees", IsHalfAngle};
+  return Noted(name, OneNumber(name, false, rule).value_or(default_value));
+}
+
+float ParamReader::FullAngle(std::string_view name, float default_value) {
+  const NumberRule rule{"an angle above 0 and at most 360 degrees", IsFullAngle};
+  return Noted(name, OneNumber(name, false, rule).value_or(default_value));
 }
 
 Vec2 ParamReader::Pair(std::string_view name, Vec2 default_value) {

@@ -46,6 +46,9 @@ class ParamReader {
   float Fraction(std::string_view name, float default_value);
   /// Strictly between 0 and 180.
   float RequiredAngle(std::string_view name);
+  /// Above 0 and at most 180, or at most 360.
+  float HalfAngle(std::string_view name, float default_value);
+  float FullAngle(std::string_view name, float default_value);
   /// Nothing when it is missing or wrong.
   std::optional<int64_t> RequiredInteger(std::string_view name);
 

@@ -15,17 +15,6 @@
 
 namespace candela {
 
-/// A camera as a scene describes it.
-struct CameraSpec {
-  Vec3 center;
-  Vec3 direction{0, 0, -1};  ///< Where it looks; any length but 0.
-  Vec3 up{0, 1, 0};          ///< Not parallel to `direction`, not necessarily orthogonal to it.
-  float fov_degrees = 30;    ///< Full vertical angle, in (0, 180).
-  float aperture = 0;        ///< Diameter of the lens; 0 for a pinhole, which shows all sharply.
-  float focus_distance = 1;  ///< Of the plane that is sharp, along the direction of view; above 0.
-  int blades = 0;            ///< Corners of the opening, 3 or more; 0 for a round one.
-};
-
 /// What rays see that hit nothing, and the light that is everywhere.
 struct BackgroundSpec {
   Rgb color;
@@ -101,7 +90,7 @@ struct BlockSpec {
 struct SceneSpec {
   std::filesystem::path folder;  ///< Where the scene lies; see `PathInScene`.
   SourceLocation file;           ///< The file as a whole, for messages.
-  CameraSpec camera;
+  TypedSpec camera;              ///< Without a type when the scene has none, which was reported.
   BackgroundSpec background;
   /// How the scene is meant to be rendered, for programs that let scenes say so.
   BlockSpec render, film;

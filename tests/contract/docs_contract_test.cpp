@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cameras/registry.h"
 #include "lights/registry.h"
 #include "materials/registry.h"
 #include "shapes/registry.h"
@@ -38,6 +39,9 @@ TEST(SceneFormat, NamesEveryMaterial) {
 }
 TEST(SceneFormat, NamesEveryTexture) {
   ExpectNamed(TextureEntries(), "texture");
+}
+TEST(SceneFormat, NamesEveryCamera) {
+  ExpectNamed(CameraEntries(), "camera");
 }
 TEST(SceneFormat, NamesEveryLight) {
   ExpectNamed(LightEntries(), "light");

@@ -1,15 +1,18 @@
 // What holds for every integrator, by way of the render job where it is about pictures.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/parallel.h"
+#include "cameras/registry.h"
 #include "integrators/registry.h"
 #include "render/render_job.h"
 #include "tests/sampling/chi_square.h"
@@ -72,6 +75,42 @@ TEST_P(EveryIntegrator, AnEmptySceneShowsTheBackground) {
   EXPECT_EQ(radiance[0].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
   EXPECT_EQ(radiance[1].ToRgb(), (Rgb{0.25f, 0.5f, 0.75f}));
   EXPECT_EQ(workspace->rays.Total(), 2u);
+}
+
+// Where a camera shows nothing the picture is black, and nothing is said of a surface.
+TEST_P(EveryIntegrator, EveryCameraShowsTheBackgroundWhereItShowsSomething) {
+  for (const CameraEntry& camera : CameraEntries()) {
+    SCOPED_TRACE(camera.name);
+    const auto scene = CompileText(
+        fmt::format("Camera {{ center 1 2 3 direction 1 0 -1 up 0 1 0 {} }}\n"
+                    "Background {{ color 0.25 0.5 0.75 ambient_light 1 1 1 }} Scene {{ }}",
+                    camera.example));
+    std::vector<SampleRequest> requests;
+    for (uint32_t i = 0; i < 64; ++i) {
+      const Vec2 point{static_cast<float>(i % 8) / 4 - 1, static_cast<float>(i / 8) / 4 - 1};
+      requests.push_back({i % 8, i / 8, 0, point, 0.25f});
+    }
+    const Spectrum kStale(7);
+    std::vector<Spectrum> radiance(requests.size(), kStale);
+    std::vector<SampleLayers> layers(requests.size());
+    for (SampleLayers& each : layers) each.albedo = {7, 7, 7};
+    const auto integrator = Create(GetParam(), *scene);
+    const auto workspace = integrator->MakeWorkspace();
+    integrator->Trace(requests, workspace.get(),
+                      {radiance, GetParam().has_layers ? layers : std::span<SampleLayers>()});
+    uint64_t seen = 0;
+    for (size_t i = 0; i < requests.size(); ++i) {
+      const Ray ray = scene->camera().GenerateRay(requests[i].image_point, {0.5f, 0.5f});
+      const bool sees_nothing = ray.direction == Vec3();
+      EXPECT_EQ(radiance[i].ToRgb(), sees_nothing ? Rgb() : (Rgb{0.25f, 0.5f, 0.75f})) << i;
+      if (GetParam().has_layers) {
+        EXPECT_EQ(layers[i].albedo, Rgb()) << i;
+      }
+      seen += sees_nothing ? 0 : 1;
+    }
+    EXPECT_EQ(workspace->rays.camera, seen);
+    EXPECT_EQ(seen < requests.size(), camera.name == "fisheye");
+  }
 }
 
 /// Spheres on a floor, a lamp, a light: something for every integrator.

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "cameras/registry.h"
 #include "lights/registry.h"
 #include "materials/registry.h"
 #include "shapes/registry.h"
@@ -67,6 +68,9 @@ inline void PrintTo(const ShapeEntry& entry, std::ostream* out) {
   *out << entry.name;
 }
 inline void PrintTo(const MaterialEntry& entry, std::ostream* out) {
+  *out << entry.name;
+}
+inline void PrintTo(const CameraEntry& entry, std::ostream* out) {
   *out << entry.name;
 }
 inline void PrintTo(const LightEntry& entry, std::ostream* out) {

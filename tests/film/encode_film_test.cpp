@@ -58,5 +58,23 @@ TEST(FilmEncoder, GivesTheBytesOfItsImageInEveryFormat) {
   }
 }
 
+TEST(FilmEncoder, EncodesWhatFinishingLeaves) {
+  const TestFilm test;
+  const auto finish = [](Image* picture) {
+    for (float& value : picture->Samples()) value = 1 - value / 2;
+  };
+  Image finished = ToImage(test.film);
+  finish(&finished);
+  for (const ImageFormat format : {ImageFormat::kPng, ImageFormat::kJpeg, ImageFormat::kExr,
+                                   ImageFormat::kHdr, ImageFormat::kPfm}) {
+    FilmEncoder encoder(test.film, format, {}, finish);
+    encoder.Advance(3);
+    const auto direct = encoder.Finish();
+    const auto by_image = EncodeImage(finished, format);
+    ASSERT_TRUE(direct && by_image);
+    EXPECT_TRUE(*direct == *by_image) << static_cast<int>(format);
+  }
+}
+
 }  // namespace
 }  // namespace candela

@@ -165,6 +165,29 @@ std::vector<NamedScene> Scenes() {
        Scene(Corner() + Ball("clay") + RectangleLamp(), "",
              "Camera { center 0 0.6 4 direction 0 -0.25 -1 up 0.3 1 0.4 fov 45 "
              "aperture 0.5 focus_distance 3 blades 5 }\n")},
+      {"view_camera", 4,
+       Scene(Corner() + Ball("clay") + RectangleLamp(), "",
+             "Camera { center 0 0.6 4 direction 0 -0.1 -1 up 0.3 1 0.4 fov 45 aperture 0.5 "
+             "focus_distance 3 blades 5 blade_rotation 30 tilt 20 -50 shift 0.1 -0.4 }\n")},
+      {"orthographic", 4,
+       Scene(Corner() + Ball("clay") + RectangleLamp(), "",
+             "Camera { type orthographic center 0 0.6 4 direction 0.1 -0.25 -1 up 0 1 0 height 3.5 "
+             "aperture 0.5 focus_distance 4 }\n")},
+      {"orthographic_in_bodies", 4,
+       Scene(Corner() + Point() + Body("glass", "tea", 1, "translate 0.3 0.3 2.5", 1.2), "",
+             "Camera { type orthographic center 0 0.6 2.5 direction 0 -0.25 -1 up 0 1 0 "
+             "height 3.5 }\n")},
+      {"fisheye", 4,
+       Scene(Corner() + Ball("clay") + RectangleLamp(), "",
+             "Camera { type fisheye center 0 0.4 1.4 direction 0 -0.25 -1 up 0 1 0 fov 240 }\n")},
+      {"equisolid_fisheye", 4,
+       Scene(Corner() + Ball("clay") + RectangleLamp(), "",
+             "Camera { type fisheye mapping equisolid center 0 0.4 1.4 direction 0 -0.25 -1 "
+             "up 0 1 0 fov 360 }\n")},
+      {"panoramic", 4,
+       Scene(Corner() + Ball("clay") + RectangleLamp() +
+                 Object("clay", "translate 0 0 3", "rectangle width 3 height 2"),
+             "", "Camera { type panoramic center 0 0.4 1.4 direction 0.4 -0.25 -1 up 0 1 0 }\n")},
   };
 }
 

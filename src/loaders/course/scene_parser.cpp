@@ -186,42 +186,8 @@ class Parser {
       if (!blocks_.HasLostSections()) diagnostics_.Error(scene_.file, "there is no 'Camera' block");
       return;
     }
-    const size_t errors_before = diagnostics_.ErrorCount();
-    ParamReader reader(camera_.params, "Camera", camera_.where, &diagnostics_);
-    CameraSpec& camera = scene_.camera;
-    camera.center = reader.RequiredVector("center");
-    camera.direction = reader.RequiredDirection("direction");
-    camera.up = reader.RequiredDirection("up");
-    camera.fov_degrees = reader.RequiredAngle("fov");
-    ReadLens(&reader, &camera);
-    reader.Finish();
-    if (camera_.params.is_damaged || diagnostics_.ErrorCount() > errors_before) return;
-    const Vec3d direction = Normalize(ToDouble(camera.direction));
-    const Vec3d up = Normalize(ToDouble(camera.up));
-    if (Length(Cross(direction, up)) < 1e-7) {
-      reader.Error(reader.Where("up"), "'up' is parallel to 'direction'");
-    }
-  }
-
-  void ReadLens(ParamReader* reader, CameraSpec* camera) {
-    constexpr int kMostBlades = 100;
-    camera->aperture = reader->NonNegative("aperture", 0);
-    camera->focus_distance = reader->Positive("focus_distance", 1);
-    if (reader->Has("blades")) {
-      const int64_t blades = reader->RequiredInteger("blades").value_or(0);
-      if (blades == 0 || (blades >= 3 && blades <= kMostBlades)) {
-        camera->blades = static_cast<int>(blades);
-      } else {
-        reader->Error(reader->Where("blades"),
-                      fmt::format("'blades' expects 3 to {}, or 0 for a round opening, found '{}'",
-                                  kMostBlades, blades));
-      }
-    }
-    // Without a distance the picture would be sharp where nobody has asked for it.
-    if (camera->aperture > 0 && !reader->Has("focus_distance")) {
-      reader->Error(reader->Where("aperture"),
-                    "a camera with an 'aperture' needs 'focus_distance'");
-    }
+    scene_.camera =
+        TakeType(std::move(camera_.params), camera_.where, "Camera", "perspective", &diagnostics_);
   }
 
   void ReadBackground() {

@@ -76,15 +76,9 @@ class Writer {
   }
 
   void WriteCamera() {
-    const CameraSpec& camera = spec_.camera;
     Open("Camera");
-    Line("center " + candela::ToText(camera.center));
-    Line("direction " + candela::ToText(camera.direction));
-    Line("up " + candela::ToText(camera.up));
-    Line(fmt::format("fov {}", camera.fov_degrees));
-    Line(fmt::format("aperture {}", camera.aperture));
-    Line(fmt::format("focus_distance {}", camera.focus_distance));
-    Line(fmt::format("blades {}", camera.blades));
+    Line("type " + spec_.camera.type);
+    for (const Param& param : spec_.camera.params.params) Line(ToText(param));
     Close();
   }
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cameras/registry.h"
+
 namespace candela {
 namespace {
 
@@ -25,13 +27,32 @@ SceneSpec Parse(const std::string& text, std::vector<std::string>* lines = nullp
   return spec;
 }
 
+/// What a parameter of the camera turns out to be.
+std::string CameraWords(const SceneSpec& spec, const char* name,
+                        std::vector<std::string>* lines = nullptr) {
+  Diagnostics diagnostics;
+  ParamSet resolved;
+  const auto camera = CreateCamera(spec.camera, &diagnostics, &resolved);
+  if (lines) {
+    *lines = diagnostics.Lines();
+  } else {
+    EXPECT_THAT(diagnostics.Lines(), IsEmpty());
+  }
+  std::string words;
+  if (const Param* param = resolved.Find(name)) {
+    for (const ParamWord& word : param->words) words += (words.empty() ? "" : " ") + word.text;
+  }
+  return words;
+}
+
 TEST(SceneParser, CameraAndBackground) {
   const SceneSpec spec = Parse("Background { color .1 .2 .3 ambient_light 1 2 3 cube_map sky }" +
                                kCamera + "Scene { }");
-  EXPECT_EQ(spec.camera.center, (Vec3{1, 2, 3}));
-  EXPECT_EQ(spec.camera.direction, (Vec3{0, 0, -1}));
-  EXPECT_EQ(spec.camera.up, (Vec3{0, 1, 0}));
-  EXPECT_EQ(spec.camera.fov_degrees, 30);
+  EXPECT_EQ(spec.camera.type, "perspective");
+  EXPECT_EQ(CameraWords(spec, "center"), "1 2 3");
+  EXPECT_EQ(CameraWords(spec, "direction"), "0 0 -1");
+  EXPECT_EQ(CameraWords(spec, "up"), "0 1 0");
+  EXPECT_EQ(CameraWords(spec, "fov"), "30");
   EXPECT_EQ(spec.background.color, (Rgb{.1f, .2f, .3f}));
   EXPECT_EQ(spec.background.ambient_light, (Rgb{1, 2, 3}));
   EXPECT_EQ(spec.background.cube_map, "sky");
@@ -40,18 +61,32 @@ TEST(SceneParser, CameraAndBackground) {
 TEST(SceneParser, ACameraMayHaveALens) {
   const std::string camera = "Camera { center 1 2 3 direction 0 0 -1 up 0 1 0 fov 30 ";
   const SceneSpec spec = Parse(camera + "aperture .5 focus_distance 4 blades 7 } Scene { }");
-  EXPECT_EQ(spec.camera.aperture, 0.5f);
-  EXPECT_EQ(spec.camera.focus_distance, 4);
-  EXPECT_EQ(spec.camera.blades, 7);
-  EXPECT_EQ(Parse(kCamera + "Scene { }").camera.aperture, 0);
+  EXPECT_EQ(CameraWords(spec, "aperture"), "0.5");
+  EXPECT_EQ(CameraWords(spec, "focus_distance"), "4");
+  EXPECT_EQ(CameraWords(spec, "blades"), "7");
+  EXPECT_EQ(CameraWords(Parse(kCamera + "Scene { }"), "aperture"), "0");
 
   std::vector<std::string> lines;
-  Parse(camera + "aperture .5 } Scene { }", &lines);
+  CameraWords(Parse(camera + "aperture .5 } Scene { }"), "aperture", &lines);
   EXPECT_THAT(lines,
               ElementsAre("s:1:65: error: a camera with an 'aperture' needs 'focus_distance'"));
-  Parse(camera + "blades 2 } Scene { }", &lines);
+  CameraWords(Parse(camera + "blades 2 } Scene { }"), "blades", &lines);
   EXPECT_THAT(lines, ElementsAre("s:1:63: error: 'blades' expects 3 to 100, or 0 for a round "
                                  "opening, found '2'"));
+}
+
+TEST(SceneParser, ACameraMayBeOfAnotherKind) {
+  const std::string camera = "Camera { center 1 2 3 direction 0 0 -1 up 0 1 0 height 3 type ";
+  const SceneSpec spec = Parse(camera + "orthographic } Scene { }");
+  EXPECT_EQ(spec.camera.type, "orthographic");
+  EXPECT_EQ(spec.camera.where.column, 63u);
+  EXPECT_EQ(CameraWords(spec, "height"), "3");
+
+  std::vector<std::string> lines;
+  CameraWords(Parse(camera + "ortographic } Scene { }"), "height", &lines);
+  EXPECT_THAT(lines, ElementsAre("s:1:63: error: there is no camera of type 'ortographic' (did you "
+                                 "mean 'orthographic'?); known: 'perspective', 'orthographic', "
+                                 "'fisheye' or 'panoramic'"));
 }
 
 TEST(SceneParser, ABackgroundMayBeAnEnvironment) {
@@ -146,7 +181,7 @@ TEST(SceneParser, LayoutMeansNothing) {
       "Camera{center 1 2 3 direction 0 0 -1 up 0 1 0 fov 30}Scene{Node{}}");
   EXPECT_EQ(spaced.nodes.size(), 2u);
   EXPECT_EQ(glued.nodes.size(), 2u);
-  EXPECT_EQ(glued.camera.fov_degrees, 30);
+  EXPECT_EQ(CameraWords(glued, "fov"), "30");
 }
 
 TEST(SceneParser, SectionsMayComeInAnyOrder) {
@@ -166,8 +201,8 @@ TEST(SceneParser, ALaterSectionReplacesScenesAndMaterialsButAddsToTheOthers) {
                                    "Camera { fov 40 }\nMaterials { Material { } Material { } }\n"
                                    "Materials { Material { } }\nScene { Node { } }\nScene { }",
                                &lines);
-  EXPECT_EQ(spec.camera.fov_degrees, 40);
-  EXPECT_EQ(spec.camera.center, (Vec3{1, 2, 3}));
+  EXPECT_EQ(CameraWords(spec, "fov"), "40");
+  EXPECT_EQ(CameraWords(spec, "center"), "1 2 3");
   EXPECT_THAT(spec.materials, SizeIs(1));
   EXPECT_THAT(spec.nodes, SizeIs(1));
   EXPECT_THAT(lines, ElementsAre("s:2:1: warning: a second block 'Camera'; the last one counts",

@@ -104,9 +104,14 @@ class SceneCompiler {
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
     const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
-    scene_->lights_.push_back(std::move(light));
-    scene_->light_types_.push_back(node.light->type);
+    AddLight(std::move(light), node.light->type, node.light->where);
     return is_surface ? index : SceneObject::kNoLight;
+  }
+
+  void AddLight(std::unique_ptr<Light> light, std::string type, const SourceLocation& where) {
+    scene_->lights_.push_back(std::move(light));
+    scene_->light_types_.push_back(std::move(type));
+    scene_->light_places_.push_back(where);
   }
 
   void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light,

@@ -163,6 +163,10 @@ std::vector<NamedScene> Scenes() {
        Scene(Corner() + Ball("clay") + RectangleLamp(), "",
              "Camera { center 0 0.6 4 direction 0 -0.25 -1 up 0.3 1 0.4 fov 45 "
              "aperture 0.5 focus_distance 3 blades 5 }\n")},
+      {"daylight_without_sun", 8,
+       Scene(Corner() + Ball("plastic"),
+             "Background { sky daylight turbidity 4 sun_elevation 50 sun_azimuth 100 "
+             "ground_albedo 0.3 0.3 0.3 sun false scale 0.1 }\n")},
   };
 }
 

@@ -113,7 +113,8 @@ class SceneCompiler {
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
   uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
     const LightContext context{Transform(world_from_node), node.object.has_value(),
-                               EmptiedParams(resolved ? &*resolved->light : nullptr)};
+                               EmptiedParams(resolved ? &*resolved->light : nullptr),
+                               &materials_->textures(), &ies_files_};
     auto light = CreateLight(*node.light, context, &diagnostics_);
     if (!light) return SceneObject::kNoLight;
     if (!IsFinite(context.world_from_node.Point({0, 0, 0}))) {
@@ -277,6 +278,7 @@ class SceneCompiler {
   CompiledInteriors node_interiors_;
   std::map<decltype(Interior().Key()), uint32_t> interior_by_key_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
+  IesFiles ies_files_;
   std::unique_ptr<Light> sun_;  ///< Of the sky; added behind the lights of the nodes.
   std::map<uint32_t, Light*> surface_lights_;  ///< By their index, while they can be changed.
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.

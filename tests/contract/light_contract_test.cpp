@@ -42,7 +42,8 @@ std::vector<std::string_view> Names(const std::vector<LightEntry>& rows) {
 
 // Which of the two sets of tests below applies to whom.
 TEST(LightContract, TheseRowsHaveNoExtent) {
-  EXPECT_THAT(Names(Rows(true)), testing::ElementsAre("point", "directional", "spot"));
+  EXPECT_THAT(Names(Rows(true)),
+              testing::ElementsAre("point", "directional", "spot", "projector", "ies"));
   EXPECT_THAT(Names(Rows(false)), testing::ElementsAre("area"));
 }
 

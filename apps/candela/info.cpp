@@ -61,6 +61,16 @@ std::string ToText(const ParamSet& settings) {
   return text;
 }
 
+std::string BackgroundText(const BackgroundSpec& background) {
+  if (const auto& sky = background.sky) {
+    return fmt::format("sky of turbidity {:.6g}, sun{} at an elevation of {:.6g} degrees",
+                       sky->turbidity, sky->has_sun ? "" : " (off)", sky->sun_elevation_degrees);
+  }
+  if (!background.environment.empty()) return "environment " + background.environment;
+  if (!background.cube_map.empty()) return "cube map " + background.cube_map;
+  return ToText(background.color);
+}
+
 std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
                   const RenderSettings& settings) {
   const SceneFacts facts(loaded);
@@ -74,10 +84,7 @@ std::string Facts(const std::filesystem::path& path, const LoadedScene& loaded,
   }
   text += Row("lights", WithTypes(facts.lights, facts.lights_by_type));
   text += Row("materials", fmt::format("{}", facts.materials));
-  text +=
-      Row("background", !background.environment.empty() ? "environment " + background.environment
-                        : !background.cube_map.empty()  ? "cube map " + background.cube_map
-                                                        : ToText(background.color));
+  text += Row("background", BackgroundText(background));
   text += Row("ambient", ToText(background.ambient_light));
   text += BoundsRow(loaded.scene->Bounds());
   text += Row("camera", loaded.scene->camera().Description());

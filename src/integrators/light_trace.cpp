@@ -135,6 +135,13 @@ LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorO
 void LightTraceIntegrator::Check(const Scene& scene, Diagnostics* diagnostics) {
   CheckPhysical(scene, "light_trace", diagnostics);
   CheckMediaAreSymmetric(scene, "light_trace", diagnostics);
+  for (size_t i = 0; i < scene.lights().size(); ++i) {
+    if (scene.lights()[i]->CanBeSentOut()) continue;
+    diagnostics->Error(
+        scene.PlaceOfLight(i),
+        "the light has a 'falloff' that no light has which is sent out, so the integrator "
+        "'light_trace' does not know it; 'path' and 'whitted' do, and all of them 'falloff 0 0 Q'");
+  }
   const bool shines_from_afar = ShinesFromAfar(scene);
   for (size_t i = 0; i < scene.objects().size(); ++i) {
     const SceneObject& object = scene.objects()[i];

@@ -113,6 +113,10 @@ class Light {
   /// Whether it gives light that `SampleEmission` cannot draw, since its surface cannot be sampled.
   virtual bool IsFoundByHitsAlone() const { return false; }
 
+  /// False when its light falls with the distance as no light does that is sent out. Then
+  /// `SampleEmission` draws nothing.
+  virtual bool CanBeSentOut() const { return true; }
+
   /// Called once while the scene is compiled, for a light that is the surface of an object: what
   /// draws points of it, which may be null, and a ball around it.
   virtual void SetSurface(std::unique_ptr<const SurfaceSampler> /*sampler*/, Vec3 /*center*/,

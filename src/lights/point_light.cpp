@@ -11,9 +11,9 @@ namespace candela {
 
 std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContext& context) {
   const Rgb color = params->Color("color", {1, 1, 1});
-  const float attenuation = params->Positive("attenuation", 20);
+  const Falloff falloff = Falloff::Read(params);
   params->Vector("direction", {0, 0, -1});  // The course's format allows it here, without effect.
-  return std::make_unique<PointLight>(context.world_from_node.Point({0, 0, 0}), color, attenuation);
+  return std::make_unique<PointLight>(context.world_from_node.Point({0, 0, 0}), color, falloff);
 }
 
 LightSample PointLight::SampleIncident(Vec3 p) const {
@@ -21,20 +21,21 @@ LightSample PointLight::SampleIncident(Vec3 p) const {
   const float squared = Dot(to_light, to_light);
   if (squared == 0) return {};  // In the light itself there is no direction to it.
   const float distance = std::sqrt(squared);
-  const Rgb radiance = color_ / (attenuation_ * squared);
+  const Rgb radiance = color_ / falloff_.At(distance, squared);
   return {to_light / distance, Spectrum(radiance), distance};
 }
 
 LightReach PointLight::Reach() const {
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  return {kAllAround * MeanOf(Abs(color_)) / attenuation_, false, position_, 0};
+  return {kAllAround * MeanOf(Abs(color_)) / falloff_.ForComparison(), false, position_, 0};
 }
 
 EmissionSample PointLight::SampleEmission(const Ball&, Vec2, Vec2 u_direction) const {
+  if (!CanBeSentOut()) return {};
   EmissionSample sample;
   sample.origin.p = position_;
   sample.direction = SampleUniformSphere(u_direction);
-  sample.flux = Spectrum(color_ / attenuation_) * (1 / UniformSpherePdf());
+  sample.flux = Spectrum(color_ / falloff_.quadratic) * (1 / UniformSpherePdf());
   sample.pdf_position = 1;
   sample.pdf_direction = UniformSpherePdf();
   return sample;
@@ -45,7 +46,8 @@ EmissionPdf PointLight::PdfEmission(const Ball&, const SurfacePoint&, Vec3) cons
 }
 
 float PointLight::Power(const Ball&) const {
-  return MeanOf(Abs(color_)) / attenuation_ / UniformSpherePdf();
+  if (!CanBeSentOut()) return 0;
+  return MeanOf(Abs(color_)) / falloff_.quadratic / UniformSpherePdf();
 }
 
 }  // namespace candela

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "lights/falloff.h"
 #include "lights/light.h"
 #include "scene_spec/param_reader.h"
 
@@ -9,14 +10,14 @@ namespace candela {
 
 struct LightContext;
 
-/// Shines from a point in all directions, with the intensity color / attenuation: at distance D it
-/// gives color / (attenuation D^2).
+/// Shines from a point in all directions. With an attenuation for its falloff the intensity is
+/// color / attenuation: at distance D it gives color / (attenuation D^2).
 class PointLight final : public Light {
  public:
   using Light::SampleIncident;
 
-  PointLight(Vec3 position, Rgb color, float attenuation)
-      : position_(position), color_(color), attenuation_(attenuation) {}
+  PointLight(Vec3 position, Rgb color, Falloff falloff)
+      : position_(position), color_(color), falloff_(falloff) {}
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
   LightKind Kind() const override { return LightKind::kPoint; }
@@ -26,11 +27,12 @@ class PointLight final : public Light {
                                 Vec2 u_direction) const override;
   EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
   float Power(const Ball& scene) const override;
+  bool CanBeSentOut() const override { return falloff_.IsOfLight(); }
 
  private:
   Vec3 position_;
   Rgb color_;
-  float attenuation_;
+  Falloff falloff_;
 };
 
 }  // namespace candela

@@ -2,7 +2,9 @@
 
 #include "lights/area_light.h"
 #include "lights/directional_light.h"
+#include "lights/ies_light.h"
 #include "lights/point_light.h"
+#include "lights/projector_light.h"
 #include "lights/spot_light.h"
 #include "scene_spec/registry.h"
 
@@ -15,6 +17,9 @@ constexpr LightEntry kLights[] = {
     {"directional", &DirectionalLight::Create, "type directional direction 0 -1 0 color 1 1 1"},
     {"spot", &SpotLight::Create, "type spot direction 0 -1 0 angle 40 color 1 1 1 attenuation 0.1"},
     {"area", &AreaLight::Create, "type area radiance 5 5 5"},
+    {"projector", &ProjectorLight::Create,
+     "type projector image texture slide direction 0 -1 0 up 0 0 -1 fov 80 attenuation 0.1"},
+    {"ies", &IesLight::Create, "type ies file ../lamps/downlight.ies"},
 };
 
 }  // namespace

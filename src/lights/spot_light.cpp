@@ -10,30 +10,30 @@
 
 namespace candela {
 
-SpotLight::SpotLight(Vec3 position, const Beam& beam, Rgb color, float attenuation)
+SpotLight::SpotLight(Vec3 position, const Beam& beam, Rgb color, Falloff falloff)
     : position_(position),
       direction_(NormalizeAnyLength(beam.direction)),
       cosine_inner_(beam.cosine_inner),
       cosine_outer_(beam.cosine_outer),
       color_(color),
-      attenuation_(attenuation) {}
+      falloff_(falloff) {}
 
 std::unique_ptr<Light> SpotLight::Create(ParamReader* params, const LightContext& context) {
   const Vec3 direction = params->RequiredDirection("direction");
   const float angle = params->RequiredAngle("angle");
   const float blend = params->Fraction("blend", 0.15f);
   const Rgb color = params->Color("color", {1, 1, 1});
-  const float attenuation = params->Positive("attenuation", 20);
+  const Falloff falloff = Falloff::Read(params);
   Vec3 in_world = context.world_from_node.Vector(direction);
   // A node that squeezes the direction away is reported with its place.
   if (in_world == Vec3() || !IsFinite(in_world)) in_world = direction;
   const Beam beam{in_world, static_cast<float>(CosDegrees(double{angle} / 2 * (1 - double{blend}))),
                   static_cast<float>(CosDegrees(double{angle} / 2))};
   return std::make_unique<SpotLight>(context.world_from_node.Point({0, 0, 0}), beam, color,
-                                     attenuation);
+                                     falloff);
 }
 
-float SpotLight::Falloff(float cosine) const {
+float SpotLight::Brightness(float cosine) const {
   if (cosine >= cosine_inner_) return 1;
   if (!(cosine > cosine_outer_)) return 0;
   const float x = (cosine - cosine_outer_) / (cosine_inner_ - cosine_outer_);
@@ -46,14 +46,16 @@ LightSample SpotLight::SampleIncident(Vec3 p) const {
   if (squared == 0) return {};  // In the light itself there is no direction to it.
   const float distance = std::sqrt(squared);
   const Vec3 direction = to_light / distance;
-  const Rgb radiance = color_ * (Falloff(-Dot(direction, direction_)) / (attenuation_ * squared));
+  const Rgb radiance =
+      color_ * (Brightness(-Dot(direction, direction_)) / falloff_.At(distance, squared));
   return {direction, Spectrum(radiance), distance};
 }
 
 LightReach SpotLight::Reach() const {
   // Its power is that of a light all around: whoever is in its beam sees no less.
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  LightReach reach{kAllAround * MeanOf(Abs(color_)) / attenuation_, false, position_, 0};
+  LightReach reach{kAllAround * MeanOf(Abs(color_)) / falloff_.ForComparison(), false, position_,
+                   0};
   reach.axis = direction_;
   reach.least_cosine = cosine_outer_;
   return reach;
@@ -61,6 +63,7 @@ LightReach SpotLight::Reach() const {
 
 // Directions are drawn evenly from the cone; what a narrow one rounds to nothing sends no light.
 EmissionSample SpotLight::SampleEmission(const Ball&, Vec2, Vec2 u_direction) const {
+  if (!CanBeSentOut()) return {};
   const float one_minus_cosine = 1 - cosine_outer_;
   const Vec3 local = SampleCone(u_direction, one_minus_cosine);
   EmissionSample sample;
@@ -68,7 +71,8 @@ EmissionSample SpotLight::SampleEmission(const Ball&, Vec2, Vec2 u_direction) co
   sample.direction = Frame::FromNormal(direction_).ToWorld(local);
   sample.pdf_position = 1;
   sample.pdf_direction = ConePdf(one_minus_cosine);
-  sample.flux = Spectrum(color_ * (Falloff(local.z) / attenuation_)) * (1 / sample.pdf_direction);
+  sample.flux =
+      Spectrum(color_ * (Brightness(local.z) / falloff_.quadratic)) * (1 / sample.pdf_direction);
   return sample;
 }
 
@@ -78,8 +82,9 @@ EmissionPdf SpotLight::PdfEmission(const Ball&, const SurfacePoint&, Vec3 w) con
 
 // The falloff is symmetric about the middle of its two cosines.
 float SpotLight::Power(const Ball&) const {
+  if (!CanBeSentOut()) return 0;
   const float mean_cosine = (cosine_inner_ + cosine_outer_) / 2;
-  return MeanOf(Abs(color_)) / attenuation_ * static_cast<float>(2 * kPi) * (1 - mean_cosine);
+  return MeanOf(Abs(color_)) / falloff_.quadratic * static_cast<float>(2 * kPi) * (1 - mean_cosine);
 }
 
 }  // namespace candela

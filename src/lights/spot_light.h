@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "lights/falloff.h"
 #include "lights/light.h"
 #include "scene_spec/param_reader.h"
 
@@ -21,7 +22,7 @@ class SpotLight final : public Light {
     float cosine_inner;  ///< Of the angle off the direction up to which it is bright,
     float cosine_outer;  ///< and of that from which on it is dark; not above the inner one.
   };
-  SpotLight(Vec3 position, const Beam& beam, Rgb color, float attenuation);
+  SpotLight(Vec3 position, const Beam& beam, Rgb color, Falloff falloff);
   static std::unique_ptr<Light> Create(ParamReader* params, const LightContext& context);
 
   LightKind Kind() const override { return LightKind::kPoint; }
@@ -31,16 +32,17 @@ class SpotLight final : public Light {
                                 Vec2 u_direction) const override;
   EmissionPdf PdfEmission(const Ball& scene, const SurfacePoint& from, Vec3 w) const override;
   float Power(const Ball& scene) const override;
+  bool CanBeSentOut() const override { return falloff_.IsOfLight(); }
 
  private:
   /// From 1 in the inner cone to 0 outside, by the cosine of the angle off the direction.
-  float Falloff(float cosine) const;
+  float Brightness(float cosine) const;
 
   Vec3 position_;
   Vec3 direction_;
   float cosine_inner_, cosine_outer_;
   Rgb color_;
-  float attenuation_;
+  Falloff falloff_;
 };
 
 }  // namespace candela

@@ -41,6 +41,9 @@ class MaterialCompiler {
   /// node without one has to have an object.
   std::optional<uint32_t> MaterialOf(const NodeSpec& node);
 
+  /// What finds the textures, for others who use them; as long as the compiler lives.
+  const TextureContext& textures() const { return context_; }
+
   /// Null when it could not be made.
   const Material* At(uint32_t index) const { return compiled_.materials[index].get(); }
 

@@ -10,11 +10,14 @@
 
 #include "base/text.h"
 #include "cameras/registry.h"
+#include "lights/directional_light.h"
 #include "lights/registry.h"
+#include "math/elementary.h"
 #include "scene/compile_interiors.h"
 #include "scene/compile_materials.h"
 #include "scene/resolved_params.h"
 #include "shapes/registry.h"
+#include "textures/daylight_map.h"
 
 namespace candela {
 
@@ -36,6 +39,7 @@ class SceneCompiler {
     node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
     materials_.emplace(spec_, node_interiors_.indices, &diagnostics_, resolved_);
     CompileNodes();
+    if (sun_) AddLight(std::move(sun_), "directional", spec_.file);
     if (diagnostics_.HasErrors()) return nullptr;
     TakeMaterials();
     BakeMeshes();
@@ -66,6 +70,22 @@ class SceneCompiler {
           spec_.folder / background.environment, background.environment_where,
           background.environment_scale, background.environment_rotate_degrees, &diagnostics_);
     }
+    if (background.sky) CompileSky(*background.sky, background.environment_scale);
+  }
+
+  /// The sky is a picture of the surroundings, its sun a light like others.
+  void CompileSky(const SkySpec& sky, float scale) {
+    const double elevation = double{sky.sun_elevation_degrees};
+    const double azimuth = double{sky.sun_azimuth_degrees};
+    const double level = CosDegrees(elevation);
+    const Vec3 to_sun = Normalize(ToFloat(
+        Vec3d{SinDegrees(azimuth) * level, SinDegrees(elevation), -CosDegrees(azimuth) * level}));
+    const Daylight daylight(sky.turbidity, to_sun);
+    const Rgb sun = sky.has_sun ? daylight.SunIrradiance() : Rgb();
+    scene_->background_.environment =
+        MakeDaylightMap(daylight, to_sun, sun, sky.ground_albedo, scale);
+    if (!sky.has_sun) return;
+    sun_ = std::make_unique<DirectionalLight>(-to_sun, sun * scale, Daylight::kSunAngleDegrees);
   }
 
   void CompileNodes() {
@@ -93,7 +113,8 @@ class SceneCompiler {
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
   uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
     const LightContext context{Transform(world_from_node), node.object.has_value(),
-                               EmptiedParams(resolved ? &*resolved->light : nullptr)};
+                               EmptiedParams(resolved ? &*resolved->light : nullptr),
+                               &materials_->textures(), &ies_files_};
     auto light = CreateLight(*node.light, context, &diagnostics_);
     if (!light) return SceneObject::kNoLight;
     if (!IsFinite(context.world_from_node.Point({0, 0, 0}))) {
@@ -104,9 +125,14 @@ class SceneCompiler {
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
     const bool is_surface = light->IsSurface();
     if (is_surface) surface_lights_[index] = light.get();
-    scene_->lights_.push_back(std::move(light));
-    scene_->light_types_.push_back(node.light->type);
+    AddLight(std::move(light), node.light->type, node.light->where);
     return is_surface ? index : SceneObject::kNoLight;
+  }
+
+  void AddLight(std::unique_ptr<Light> light, std::string type, const SourceLocation& where) {
+    scene_->lights_.push_back(std::move(light));
+    scene_->light_types_.push_back(std::move(type));
+    scene_->light_places_.push_back(where);
   }
 
   void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light,
@@ -259,6 +285,8 @@ class SceneCompiler {
   CompiledInteriors node_interiors_;
   std::map<decltype(Interior().Key()), uint32_t> interior_by_key_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
+  IesFiles ies_files_;
+  std::unique_ptr<Light> sun_;  ///< Of the sky; added behind the lights of the nodes.
   std::map<uint32_t, Light*> surface_lights_;  ///< By their index, while they can be changed.
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.
 };

@@ -19,6 +19,12 @@ std::vector<std::filesystem::path> ContentFiles(const SceneSpec& spec) {
       files.push_back(spec.folder / spec.PathInScene(file->words[0]));
     }
   }
+  for (const NodeSpec& node : spec.nodes) {
+    const Param* file = node.light ? node.light->params.Find("file") : nullptr;
+    if (file && node.light->type == "ies" && file->words.size() == 1) {
+      files.push_back(spec.folder / spec.PathInScene(file->words[0]));
+    }
+  }
   return files;
 }
 

@@ -7,8 +7,8 @@
 
 namespace candela {
 
-/// The files that a scene is made of: its own, its meshes, and the pictures of its background and
-/// its textures.
+/// The files that a scene is made of: its own, its meshes, the pictures of its background and its
+/// textures, and the photometric files of its lamps.
 std::vector<std::filesystem::path> ContentFiles(const SceneSpec& spec);
 
 /// These, and the ones that were read without an effect on the picture. None may be an output.

@@ -86,6 +86,8 @@ class Scene {
   const SourceLocation& PlaceOfMaterial(size_t index) const { return material_places_[index]; }
   /// The same of an object.
   const SourceLocation& PlaceOfObject(size_t index) const { return object_places_[index]; }
+  /// The same of a light.
+  const SourceLocation& PlaceOfLight(size_t index) const { return light_places_[index]; }
 
   /// The box around all bounded objects.
   Bounds3 Bounds() const;
@@ -103,6 +105,7 @@ class Scene {
   std::vector<SceneObject> objects_;
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::string> light_types_;
+  std::vector<SourceLocation> light_places_;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<SourceLocation> material_places_;
   std::vector<SourceLocation> object_places_;

@@ -15,6 +15,18 @@
 
 namespace candela {
 
+/// A clear sky and the sun in it, by day.
+struct SkySpec {
+  /// The range for which there is a model.
+  static constexpr float kLeastTurbidity = 2, kMostTurbidity = 10;
+
+  float turbidity = 3;                  ///< How hazy it is.
+  float sun_elevation_degrees = 45;     ///< Above the horizon; from 0 to 90.
+  float sun_azimuth_degrees = 0;        ///< From -z over +x.
+  Rgb ground_albedo{0.2f, 0.2f, 0.2f};  ///< Of what lies below the horizon; each from 0 to 1.
+  bool has_sun = true;  ///< Whether the sun shines; the sky is as bright without it.
+};
+
 /// What rays see that hit nothing, and the light that is everywhere.
 struct BackgroundSpec {
   Rgb color;
@@ -25,8 +37,10 @@ struct BackgroundSpec {
   /// A picture in longitude and latitude, relative to the folder too; replaces `color` too.
   std::string environment;
   SourceLocation environment_where;
-  float environment_scale = 1;           ///< Multiplies its radiance; not negative.
+  float environment_scale = 1;           ///< Multiplies its radiance, or the sky's; not negative.
   float environment_rotate_degrees = 0;  ///< About +y, counter-clockwise seen from above.
+  /// Replaces `color` as well; there is one of the three at most.
+  std::optional<SkySpec> sky;
 };
 
 /// A texture with the name that materials and further textures use for it.

@@ -50,6 +50,18 @@ void ExpectFloor(const std::string& lamp, double irradiance, uint32_t samples = 
                  irradiance / kPi);
 }
 
+// Of a lamp 2 above whose light falls off as 1 + 0.5 D + 0.25 D^2.
+TEST(FloorUnderAPointLight, GetsWhatItsFalloffLeaves) {
+  ExpectFloor(
+      "Transform { translate 0 0 2 } Component<Light> { type point color 6 6 6 falloff 1 0.5 0.25 "
+      "}",
+      2);
+  ExpectFloor(
+      "Transform { translate 0 0 2 } Component<Light> { type spot direction 0 0 -1 angle 60 color "
+      "6 6 6 falloff 3 0 0 }",
+      2);
+}
+
 // CF5
 TEST(FloorUnderASphere, GetsPiLTimesSquaredSine) {
   ExpectFloor(

@@ -42,7 +42,8 @@ std::vector<std::string_view> Names(const std::vector<LightEntry>& rows) {
 
 // Which of the two sets of tests below applies to whom.
 TEST(LightContract, TheseRowsHaveNoExtent) {
-  EXPECT_THAT(Names(Rows(true)), testing::ElementsAre("point", "directional", "spot"));
+  EXPECT_THAT(Names(Rows(true)),
+              testing::ElementsAre("point", "directional", "spot", "projector", "ies"));
   EXPECT_THAT(Names(Rows(false)), testing::ElementsAre("area"));
 }
 
@@ -339,10 +340,14 @@ TEST(Emission, OfTheSkyIsTheLightThatArrives) {
   const auto cube = testing_support::CompileText(
       std::string(testing_support::kCamera) +
       "Background { cube_map assets/assignment4/tex/rotunda } Scene { }");
+  const auto day = testing_support::CompileText(
+      std::string(testing_support::kCamera) +
+      "Background { sky daylight turbidity 4 sun_elevation 25 sun_azimuth 200 } Scene { }");
   const EnvironmentLight map(*environment->background().environment);
   const EnvironmentLight faces(*cube->background().cube_map);
+  const EnvironmentLight daylight(*day->background().environment);
   const EvenSkyLight even(Spectrum(Rgb{0.5f, 1, 2}));
-  for (const Light* sky : std::initializer_list<const Light*>{&map, &faces, &even}) {
+  for (const Light* sky : std::initializer_list<const Light*>{&map, &faces, &daylight, &even}) {
     ExpectPower(*sky);
     ExpectSameLight(*sky, *cube);
   }

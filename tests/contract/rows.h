@@ -46,7 +46,9 @@ inline std::unique_ptr<const Scene> SceneOfMaterial(std::string_view example) {
 /// A scene whose only light `example` describes, in the node of a sphere, should it need one.
 inline std::unique_ptr<const Scene> SceneOfLight(std::string_view example) {
   return testing_support::CompileText(
-      fmt::format("{}Materials {{ Material {{ diffuse 1 1 1 }} }}\n"
+      fmt::format("{}Textures {{ Texture {{ name slide type checker even 1 0.5 0.2\n"
+                  "odd 0.1 0.6 0.9 scale 3 2 }} }}\n"
+                  "Materials {{ Material {{ diffuse 1 1 1 }} }}\n"
                   "Scene {{ Component<Object> {{ type sphere radius 1 }}\n"
                   "Component<Material> {{ index 0 }} Component<Light> {{ {} }} }}",
                   testing_support::kCamera, example),

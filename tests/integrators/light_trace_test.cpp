@@ -56,6 +56,14 @@ TEST(LightTraceCreate, RefusesEndlessSurfacesUnderASky) {
   EXPECT_EQ(MessageFor(kGrey + "Scene { " + Floor() + point + " }"), "");
 }
 
+TEST(LightTraceCreate, RefusesAFalloffThatLightDoesNotHave) {
+  const auto lamp = [](const char* falloff) {
+    return kGrey + "Scene { Component<Light> { type point falloff " + falloff + " } }";
+  };
+  EXPECT_THAT(MessageFor(lamp("1 0 1")), HasSubstr("the light has a 'falloff' that no light has"));
+  EXPECT_EQ(MessageFor(lamp("0 0 1")), "");
+}
+
 // Which of two bodies fills the place that they share must not depend on where light comes from.
 TEST(LightTraceCreate, RefusesBodiesThatMayOverlapWithTheSamePriority) {
   const auto scene = [](const char* first, const char* second, const char* place) {

@@ -188,6 +188,26 @@ std::vector<NamedScene> Scenes() {
        Scene(Corner() + Ball("clay") + RectangleLamp() +
                  Object("clay", "translate 0 0 3", "rectangle width 3 height 2"),
              "", "Camera { type panoramic center 0 0.4 1.4 direction 0.4 -0.25 -1 up 0 1 0 }\n")},
+      {"point_with_falloff", 1,
+       Scene(Corner() + Ball("clay") +
+             "Node { Transform { translate -1 1.6 1 } Component<Light> { type point color 5 6 7 "
+             "falloff 0 0 1 } }\n")},
+      {"projector", 2,
+       Scene(
+           Corner() + Ball("plastic") +
+               "Node { Transform { translate 1 2 2 } Component<Light> { type projector image "
+               "texture slide direction -0.4 -1 -1 up 0 1 0 fov 60 aspect 1.5 color 9 9 9 "
+               "attenuation 1 } }\n",
+           "Textures { Texture { name slide type checker even 1 0.4 0.1 odd 0 0.2 0.6 scale 5 3 } "
+           "}\n")},
+      {"ies", 2,
+       Scene(Corner() + Ball("gold") +
+             "Node { Transform { translate -0.4 1.8 0.6 y_rotate 200 } Component<Light> { type ies "
+             "file assets/lamps/wall_washer.ies scale 0.01 } }\n")},
+      {"daylight_without_sun", 8,
+       Scene(Corner() + Ball("plastic"),
+             "Background { sky daylight turbidity 4 sun_elevation 50 sun_azimuth 100 "
+             "ground_albedo 0.3 0.3 0.3 sun false scale 0.1 }\n")},
   };
 }
 

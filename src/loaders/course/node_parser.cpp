@@ -49,7 +49,7 @@ void NodeParser::ParseItem(const Token& word, NodeSpec* node) {
     node->interior = InteriorSpec{blocks_.ReadParams(word), where};
   } else if (word.text == "Component<Light>") {
     WarnIfReplaced(node->light.has_value(), word);
-    node->light = ParseTyped(word);
+    node->light = ParseTyped(word, BlockReader::Textures::kByName);
   } else {
     WarnIfReplaced(node->object.has_value(), word);
     node->object = ParseTyped(word);
@@ -91,8 +91,9 @@ void NodeParser::ParseMaterial(const Token& word, NodeSpec* node) {
   node->material = std::move(reference);
 }
 
-TypedSpec NodeParser::ParseTyped(const Token& word) {
-  return TakeType(blocks_.ReadParams(word), tokens_.Where(word), word.text, "", &diagnostics_);
+TypedSpec NodeParser::ParseTyped(const Token& word, BlockReader::Textures textures) {
+  return TakeType(blocks_.ReadParams(word, BlockReader::Repeats::kOdd, textures),
+                  tokens_.Where(word), word.text, "", &diagnostics_);
 }
 
 }  // namespace candela

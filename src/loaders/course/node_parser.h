@@ -23,7 +23,8 @@ class NodeParser {
   void ParseItem(const Token& word, NodeSpec* node);
   void ParseTransform(const Token& word, NodeSpec* node);
   void ParseMaterial(const Token& word, NodeSpec* node);
-  TypedSpec ParseTyped(const Token& word);
+  TypedSpec ParseTyped(const Token& word,
+                       BlockReader::Textures textures = BlockReader::Textures::kNone);
   void WarnIfReplaced(bool is_replaced, const Token& word);
 
   SceneText& tokens_;

@@ -15,6 +15,7 @@
 #include "loaders/course/block_words.h"
 #include "loaders/course/load_meshes.h"
 #include "loaders/course/node_parser.h"
+#include "loaders/course/read_sky.h"
 #include "loaders/course/scene_text.h"
 #include "loaders/course/typed_block.h"
 #include "loaders/text/nul_check.h"
@@ -197,6 +198,7 @@ class Parser {
     background.ambient_light = reader.Color("ambient_light", {0, 0, 0});
     background.cube_map = scene_.PathInScene(reader.Path("cube_map"));
     background.cube_map_where = reader.Where("cube_map");
+    background.sky = ReadSky(&reader);
     ReadEnvironment(&reader);
     reader.Finish();
   }
@@ -209,7 +211,7 @@ class Parser {
     background.environment_rotate_degrees = reader->Number("rotate", 0);
     if (!reader->Has("environment")) {
       for (const std::string_view name : {"scale", "rotate"}) {
-        if (!reader->Has(name)) continue;
+        if (!reader->Has(name) || (name == "scale" && background.sky)) continue;
         reader->Error(reader->Where(name),
                       fmt::format("'{}' is for an 'environment', of which there is none", name));
       }

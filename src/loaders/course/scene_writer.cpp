@@ -93,7 +93,18 @@ class Writer {
       Line(fmt::format("scale {}", background.environment_scale));
       Line(fmt::format("rotate {}", background.environment_rotate_degrees));
     }
+    if (background.sky) WriteSky(*background.sky, background.environment_scale);
     Close();
+  }
+
+  void WriteSky(const SkySpec& sky, float scale) {
+    Line("sky daylight");
+    Line(fmt::format("scale {}", scale));
+    Line(fmt::format("turbidity {}", sky.turbidity));
+    Line(fmt::format("sun_elevation {}", sky.sun_elevation_degrees));
+    Line(fmt::format("sun_azimuth {}", sky.sun_azimuth_degrees));
+    Line("ground_albedo " + candela::ToText(sky.ground_albedo));
+    Line(fmt::format("sun {}", sky.has_sun));
   }
 
   template <class Spec, class WriteOne>

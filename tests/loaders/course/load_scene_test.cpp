@@ -56,14 +56,15 @@ TEST(LoadScene, InputFilesAreAllThatMustNotBeOverwritten) {
   Put(folder / "a.obj", "mtllib a.mtl none.mtl\n" + kTriangle);
   Put(folder / "a.mtl", "newmtl red\n");
   Put(folder / "s.txt", "Background { cube_map sky }" + kCamera +
-                            "Materials { Material { } } Scene { " + MeshNode("a.obj") + "}" +
+                            "Materials { Material { } } Scene { " + MeshNode("a.obj") +
+                            "Node { Component<Light> { type ies file l.ies } } }" +
                             "Textures { Texture { name w type image file w.png } }");
   Diagnostics diagnostics;
   const SceneSpec spec = LoadScene(folder / "s.txt", &diagnostics);
   const auto sky = folder / "sky";
   std::vector<std::filesystem::path> files = {
       folder / "s.txt", folder / "a.obj",  sky / "left.png", sky / "right.png", sky / "up.png",
-      sky / "down.png", sky / "front.png", sky / "back.png", folder / "w.png"};
+      sky / "down.png", sky / "front.png", sky / "back.png", folder / "w.png",  folder / "l.ies"};
   EXPECT_EQ(ContentFiles(spec), files);
   files.push_back(folder / "a.mtl");
   EXPECT_EQ(InputFiles(spec), files);

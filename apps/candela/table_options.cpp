@@ -8,6 +8,7 @@
 #include "film/pixel_filter.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
+#include "kernel/accelerator_kind.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -57,6 +58,17 @@ std::string SamplerSummaries() {
 
 std::vector<std::string_view> FilterNames() {
   return NamesOf(PixelFilters());
+}
+
+std::vector<std::string_view> AcceleratorNames() {
+  return NamesOf(Accelerators());
+}
+
+std::string AcceleratorSummaries() {
+  return Summaries(
+      "what finds the hits, for comparison; changes nothing in the picture (default "
+      "bvh)",
+      Accelerators());
 }
 
 ArgValue LayerNames(LayerSet* target) {

@@ -19,6 +19,8 @@ std::string ToneCurveSummaries();
 std::vector<std::string_view> SamplerNames();
 std::string SamplerSummaries();
 std::vector<std::string_view> FilterNames();
+std::vector<std::string_view> AcceleratorNames();
+std::string AcceleratorSummaries();
 
 /// Layers by name, separated by commas, or `all`.
 ArgValue LayerNames(LayerSet* target);

@@ -195,6 +195,20 @@ TEST_F(SceneSettingsTest, TheCourseProgramKeepsToItsCommandLine) {
   EXPECT_EQ(Fingerprint("a.png"), Fingerprint("b.png"));
 }
 
+TEST_F(SceneSettingsTest, ScenesChooseTheAccelerator) {
+  PutScene("Render { accelerator grid }");
+  EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("\naccelerator grid, "));
+  EXPECT_THAT(Candela({"info", "--resolved", "scene.txt"}).out,
+              HasSubstr("\n  accelerator grid\n"));
+  const auto err = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"render", "scene.txt", "-o", "o.png", "--size", "9", "9", "--stats"});
+    return Candela(more).err;
+  };
+  EXPECT_THAT(err({}), HasSubstr(" threads, grid, "));
+  EXPECT_THAT(err({"--accelerator", "octree"}), HasSubstr(" threads, octree, "));
+}
+
 TEST_F(SceneSettingsTest, ResolvedScenesHoldThem) {
   PutScene("Render { integrator path samples 2 } Film { size 20 10 }");
   const ProgramEnd resolved = Candela({"info", "--resolved", "scene.txt"});

@@ -36,13 +36,15 @@ std::string TextFor(const std::string& integrator, uint32_t seed) {
 
 }  // namespace
 
-Subject MakeSubject(const std::string& integrator, uint32_t seed) {
-  return WithIntegrator(integrator, testing_support::SceneOfText(TextFor(integrator, seed)));
+Subject MakeSubject(const std::string& integrator, uint32_t seed, AcceleratorKind accelerator) {
+  return WithIntegrator(integrator,
+                        testing_support::SceneOfText(TextFor(integrator, seed), ".", accelerator));
 }
 
-Subject MakeMeshSubject(const std::string& integrator, uint32_t seed) {
+Subject MakeMeshSubject(const std::string& integrator, uint32_t seed, AcceleratorKind accelerator) {
   return WithIntegrator(
-      integrator, testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed))));
+      integrator,
+      testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed)), accelerator));
 }
 
 std::vector<Placement> Placements() {

@@ -38,13 +38,22 @@ std::string IntegratorSummaries() {
   return Summaries("how light is computed (default whitted)", IntegratorEntries());
 }
 
+std::vector<std::string_view> DebugViewNames() {
+  return NamesOf(DebugViews());
+}
+
+std::string DebugViewSummaries() {
+  return Summaries("with debug: what is shown (default normal)", DebugViews());
+}
+
 std::vector<std::string_view> ToneCurveNames() {
   return NamesOf(ToneCurves());
 }
 
 std::string ToneCurveSummaries() {
   return Summaries(
-      "how .png and .jpg files show the light (default none, with path and light_trace srgb)",
+      "how .png and .jpg files show the light (default none, with integrators that draw samples "
+      "srgb)",
       ToneCurves());
 }
 

@@ -14,6 +14,8 @@ namespace candela {
 
 std::vector<std::string_view> IntegratorNames();
 std::string IntegratorSummaries();
+std::vector<std::string_view> DebugViewNames();
+std::string DebugViewSummaries();
 std::vector<std::string_view> ToneCurveNames();
 std::string ToneCurveSummaries();
 std::vector<std::string_view> SamplerNames();

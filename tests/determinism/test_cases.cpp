@@ -31,7 +31,8 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
 
 std::string TextFor(const std::string& integrator, uint32_t seed) {
   if (integrator == "whitted") return RandomScene(seed);
-  return RandomDiffuseScene(seed, integrator == "path" ? Paths::kFromCamera : Paths::kFromLights);
+  const bool is_from_lights = integrator == "light_trace";
+  return RandomDiffuseScene(seed, is_from_lights ? Paths::kFromLights : Paths::kFromCamera);
 }
 
 }  // namespace

@@ -27,14 +27,14 @@ void ChooseSamples(bool jitter, bool filter, RenderOptions* options) {
 }
 
 /// The course's program does what its command line says, whatever else a scene wishes.
-Result<void> WarnOfSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
+Result<CompileOptions> WarnOfSettings(const SceneSpec& spec, Diagnostics* diagnostics) {
   for (const auto& [name, block] : {std::pair("Render", &spec.render), {"Film", &spec.film}}) {
     if (!block->is_given) continue;
     diagnostics->Warning(block->where, fmt::format("'{}' is for 'candela render'; this program "
                                                    "does what its command line says",
                                                    name));
   }
-  return {};
+  return CompileOptions();
 }
 
 int Run(std::span<const char* const> words) {

@@ -43,7 +43,7 @@ int RunCheckCommand(Words words) {
   RenderSettings settings;
   const auto read_settings = [&](const SceneSpec& spec, Diagnostics* diagnostics) {
     settings = ReadRenderSettings(spec, diagnostics);
-    return Result<void>();
+    return Result<CompileOptions>(settings.compilation);
   };
   const auto check = [&](const Scene& scene, Diagnostics* diagnostics) {
     CheckForIntegrator(settings.integrator, scene, diagnostics);

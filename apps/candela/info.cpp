@@ -46,9 +46,13 @@ std::string BoundsRow(const Bounds3& bounds) {
 /// "0.1 MiB, 3 nodes deep, avx512".
 std::string TreeRow(const SceneTree& tree) {
   const auto depth = static_cast<uint64_t>(tree.group->Depth());
-  return Row("tree", fmt::format("{:.1f} MiB, {} deep, {}",
-                                 static_cast<double>(tree.MemoryBytes()) / (1 << 20),
-                                 Count(depth, "node"), IsaName(tree.group->isa())));
+  const double mebibytes = static_cast<double>(tree.MemoryBytes()) / (1 << 20);
+  const AcceleratorKind kind = tree.group->accelerator();
+  if (kind != AcceleratorKind::kBvh) {
+    return Row("accelerator", fmt::format("{}, {:.1f} MiB", AcceleratorName(kind), mebibytes));
+  }
+  return Row("tree", fmt::format("{:.1f} MiB, {} deep, {}", mebibytes, Count(depth, "node"),
+                                 IsaName(tree.group->isa())));
 }
 
 /// "integrator path, bounces 8".
@@ -114,13 +118,13 @@ int RunInfoCommand(Words words) {
   const auto path = FindScene(name, SceneFolders());
   if (!path) return PrintError(parser.program(), path.error());
   RenderSettings settings;
+  SceneSpec resolved;
   const auto read_settings = [&](const SceneSpec& spec, Diagnostics* diagnostics) {
     settings = ReadRenderSettings(spec, diagnostics);
-    return Result<void>();
+    if (shows_resolved) settings.compilation.resolved = &resolved;
+    return Result<CompileOptions>(settings.compilation);
   };
-  SceneSpec resolved;
-  const auto loaded =
-      LoadSceneForUser(*path, read_settings, {}, shows_resolved ? &resolved : nullptr);
+  const auto loaded = LoadSceneForUser(*path, read_settings, {});
   if (!loaded) return static_cast<int>(loaded.error().code);
   if (shows_resolved) {
     resolved.render.params = settings.render;

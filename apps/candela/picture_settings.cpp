@@ -34,8 +34,8 @@ void PictureSettings::AddTone(ArgParser* parser) {
 void PictureSettings::AddGrid(ArgParser* parser) {
   parser->Option("pixel-grid", {Choice("GRID", &grid_, {"corners", "centres"})},
                  "whether the positions of the outermost pixels lie on the edge of the view, as in "
-                 "the course, or half a pixel inside (default corners, with path and light_trace "
-                 "centres)",
+                 "the course, or half a pixel inside (default corners, with integrators that draw "
+                 "samples centres)",
                  kInFilm);
 }
 
@@ -52,12 +52,17 @@ void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
                  "with path and light_trace: those by mirrors (default all)", kInRender);
   parser->Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
                  "with path and light_trace: those through surfaces (default all)", kInRender);
+  parser->Option("ao-distance", {Positive("X", &light.ao_distance)},
+                 "with ambient_occlusion: what is farther away does not count (default all does)",
+                 kInRender);
+  parser->Option("view", {Choice("NAME", &view_, DebugViewNames())}, DebugViewSummaries(),
+                 kInRender);
 }
 
 void PictureSettings::AddSamples(ArgParser* parser) {
   parser->Option("samples", {Whole("N", &samples_, 1)},
-                 fmt::format("samples of each pixel (default 1, with --filter {}, with path and "
-                             "light_trace {})",
+                 fmt::format("samples of each pixel (default 1, with --filter {}, with integrators "
+                             "that draw them {})",
                              kFilteredSamples, kPathSamples),
                  kInRender);
   parser->Option(
@@ -130,23 +135,22 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
       diagnostics->Warning(in_scene->where, fmt::format("'{}' {}", param, text));
     }
   };
+  const IntegratorEntry& integrator = *FindIntegrator(request_.integrator);
   IntegratorOptions& light = request_.integrator_options;
-  if (IsPhysical()) {
-    if (light.shadows) warn("shadows", "shadows");
-    light.shadows = false;
-    return;
-  }
-  struct Limit {
-    std::string_view option, param;
-    std::optional<uint32_t>& value;
+  const auto drop = [&](IntegratorUse use, std::string_view option, std::string_view param,
+                        auto* value) {
+    if (integrator.Uses(use) || !*value) return;
+    warn(option, param);
+    *value = {};
   };
-  for (const Limit& limit :
-       {Limit{"diffuse-bounces", "diffuse_bounces", light.diffuse_bounces},
-        Limit{"mirror-bounces", "mirror_bounces", light.mirror_bounces},
-        Limit{"transmission-bounces", "transmission_bounces", light.transmission_bounces}}) {
-    if (limit.value) warn(limit.option, limit.param);
-    limit.value.reset();
-  }
+  drop(kUsesShadows, "shadows", "shadows", &light.shadows);
+  drop(kUsesBounces, "bounces", "bounces", &light.bounces);
+  drop(kUsesBounceKinds, "diffuse-bounces", "diffuse_bounces", &light.diffuse_bounces);
+  drop(kUsesBounceKinds, "mirror-bounces", "mirror_bounces", &light.mirror_bounces);
+  drop(kUsesBounceKinds, "transmission-bounces", "transmission_bounces",
+       &light.transmission_bounces);
+  drop(kUsesAoDistance, "ao-distance", "ao_distance", &light.ao_distance);
+  drop(kUsesView, "view", "view", &view_);
 }
 
 void PictureSettings::CheckClamp(const ArgParser& parser, const ParamSet& settings,
@@ -172,6 +176,7 @@ void PictureSettings::Finish() {
   auto& bounces = request_.integrator_options.bounces;
   if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
   FinishSampler();
+  FinishView();
 }
 
 void PictureSettings::FinishSamples() {
@@ -181,7 +186,7 @@ void PictureSettings::FinishSamples() {
     render.samples = kStrataSamples;
     return;
   }
-  const uint32_t usual = IsPhysical() ? kPathSamples : filter_ ? kFilteredSamples : 1;
+  const uint32_t usual = IsSampled() ? kPathSamples : filter_ ? kFilteredSamples : 1;
   if (!samples_) samples_ = usual;
   render.samples = *samples_;
   render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
@@ -193,18 +198,24 @@ void PictureSettings::FinishSamples() {
 void PictureSettings::FinishSampler() {
   RenderOptions& render = request_.render;
   render.sampler = SamplerType(FindSampler(sampler_)->kind, render.samples);
-  render.drops_negative = IsPhysical();
+  render.drops_negative = IsSampled();
   request_.integrator_options.seed = render.seed;
   request_.integrator_options.sampler = render.sampler;
 }
 
+void PictureSettings::FinishView() {
+  if (!FindIntegrator(request_.integrator)->Uses(kUsesView)) return;
+  if (!view_) view_ = DebugViews().front().name;
+  request_.integrator_options.view = FindDebugView(*view_)->view;
+}
+
 void PictureSettings::FinishGrid() {
-  if (!grid_) grid_ = IsPhysical() ? "centres" : "corners";
+  if (!grid_) grid_ = IsSampled() ? "centres" : "corners";
   request_.render.grid = *grid_ == "centres" ? PixelGrid::kCentres : PixelGrid::kCorners;
 }
 
 void PictureSettings::FinishTone() {
-  if (!tonemap_) tonemap_ = IsPhysical() ? "srgb" : "none";
+  if (!tonemap_) tonemap_ = IsSampled() ? "srgb" : "none";
   request_.output_options.lens = lens_.Effects();
   // Without curve and exposure the course's quantisation stays as it is.
   const bool is_plain =
@@ -213,8 +224,8 @@ void PictureSettings::FinishTone() {
   if (!is_plain) request_.output_options.tone = {FindToneCurve(*tonemap_), exposure_.Gain()};
 }
 
-bool PictureSettings::IsPhysical() const {
-  return FindIntegrator(request_.integrator)->is_physical;
+bool PictureSettings::IsSampled() const {
+  return FindIntegrator(request_.integrator)->is_sampled;
 }
 
 }  // namespace candela

@@ -27,7 +27,7 @@ class PictureSettings {
   void AddTone(ArgParser* parser);
   /// pixel-grid
   void AddGrid(ArgParser* parser);
-  /// integrator, those of `common`, limits of bounces by their kind
+  /// integrator, those of `common`, limits of bounces by their kind, ao-distance, view
   void AddLight(ArgParser* parser, CommonOptions* common);
   /// samples, filter, sampler, clamp, jitter, seed
   void AddSamples(ArgParser* parser);
@@ -56,14 +56,15 @@ class PictureSettings {
   void FinishSamples();
   void FinishSampler();
   void FinishGrid();
+  void FinishView();
   void FinishTone();
-  /// Whether the picture is one of light transport, which has defaults of its own.
-  bool IsPhysical() const;
+  /// Whether pixels are means of many samples, for which there are defaults of their own.
+  bool IsSampled() const;
 
   RenderRequest& request_;
   bool jitter_ = false;
   std::string sampler_ = "sobol";
-  std::optional<std::string> filter_, grid_, tonemap_;
+  std::optional<std::string> filter_, grid_, tonemap_, view_;
   ExposureSettings exposure_;
   LensSettings lens_;
   std::optional<uint32_t> samples_;

@@ -17,6 +17,7 @@
 #include "driver/render_request.h"
 #include "image/image_file.h"
 #include "integrators/registry.h"
+#include "kernel/accelerator_kind.h"
 
 namespace candela {
 namespace {
@@ -40,10 +41,13 @@ class RenderCommand {
   int Run(Words words) {
     if (const auto status = ReadCommandLine(parser_, words)) return *status;
     if (const auto done = CheckOptions(); !done) return PrintError(parser_.program(), done.error());
-    return RunRender(request_, [this](const SceneSpec& spec, Diagnostics* diagnostics) {
-      ReadSettings(spec, diagnostics);
-      return Finish();
-    });
+    return RunRender(
+        request_,
+        [this](const SceneSpec& spec, Diagnostics* diagnostics) -> Result<CompileOptions> {
+          ReadSettings(spec, diagnostics);
+          if (const auto done = Finish(); !done) return done.error();
+          return Compilation();
+        });
   }
 
   /// What a scene says about its rendering, for options that were not given.
@@ -51,10 +55,17 @@ class RenderCommand {
   /// What `candela render` would use for such a scene.
   RenderSettings FinishSettings() {
     picture_.Finish();
-    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film"), request_.integrator};
+    return {parser_.ShowBlock("Render"), parser_.ShowBlock("Film"), request_.integrator,
+            Compilation()};
   }
 
  private:
+  CompileOptions Compilation() const {
+    CompileOptions options;
+    options.accelerator = FindAccelerator(request_.accelerator)->kind;
+    return options;
+  }
+
   void AddOptions();
   void AddExamples();
 
@@ -130,6 +141,8 @@ void RenderCommand::AddOptions() {
   parser_.Group("Work");
   parser_.Option("threads", {Whole("N", &request_.threads, 1, 1024)},
                  "threads to use (default one per processor); changes nothing in the picture");
+  parser_.Option("accelerator", {Choice("NAME", &request_.accelerator, AcceleratorNames())},
+                 AcceleratorSummaries(), {.block = "Render"});
   parser_.Option("isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
                  "instruction set of the search for hits: scalar, avx2 or avx512 (default the best "
                  "that the processor knows); changes nothing in the picture");

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "scene/compile_scene.h"
 #include "scene_spec/scene_spec.h"
 
 namespace candela {
@@ -13,6 +14,7 @@ namespace candela {
 struct RenderSettings {
   ParamSet render, film;
   std::string integrator;  ///< One of the registry.
+  CompileOptions compilation;
 };
 RenderSettings ReadRenderSettings(const SceneSpec& spec, Diagnostics* diagnostics);
 

@@ -8,6 +8,7 @@
 #include "film/pixel_filter.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
+#include "kernel/accelerator_kind.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -37,13 +38,22 @@ std::string IntegratorSummaries() {
   return Summaries("how light is computed (default whitted)", IntegratorEntries());
 }
 
+std::vector<std::string_view> DebugViewNames() {
+  return NamesOf(DebugViews());
+}
+
+std::string DebugViewSummaries() {
+  return Summaries("with debug: what is shown (default normal)", DebugViews());
+}
+
 std::vector<std::string_view> ToneCurveNames() {
   return NamesOf(ToneCurves());
 }
 
 std::string ToneCurveSummaries() {
   return Summaries(
-      "how .png and .jpg files show the light (default none, with path and light_trace srgb)",
+      "how .png and .jpg files show the light (default none, with integrators that draw samples "
+      "srgb)",
       ToneCurves());
 }
 
@@ -57,6 +67,17 @@ std::string SamplerSummaries() {
 
 std::vector<std::string_view> FilterNames() {
   return NamesOf(PixelFilters());
+}
+
+std::vector<std::string_view> AcceleratorNames() {
+  return NamesOf(Accelerators());
+}
+
+std::string AcceleratorSummaries() {
+  return Summaries(
+      "what finds the hits, for comparison; changes nothing in the picture (default "
+      "bvh)",
+      Accelerators());
 }
 
 ArgValue LayerNames(LayerSet* target) {

@@ -14,11 +14,15 @@ namespace candela {
 
 std::vector<std::string_view> IntegratorNames();
 std::string IntegratorSummaries();
+std::vector<std::string_view> DebugViewNames();
+std::string DebugViewSummaries();
 std::vector<std::string_view> ToneCurveNames();
 std::string ToneCurveSummaries();
 std::vector<std::string_view> SamplerNames();
 std::string SamplerSummaries();
 std::vector<std::string_view> FilterNames();
+std::vector<std::string_view> AcceleratorNames();
+std::string AcceleratorSummaries();
 
 /// Layers by name, separated by commas, or `all`.
 ArgValue LayerNames(LayerSet* target);

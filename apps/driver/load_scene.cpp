@@ -7,23 +7,21 @@
 #include "base/clock.h"
 #include "base/diagnostics.h"
 #include "loaders/course/scene_parser.h"
-#include "scene/compile_scene.h"
 
 namespace candela {
 
 Result<LoadedScene> LoadSceneForUser(const std::filesystem::path& path,
-                                     const SettingsReader& read_settings, const SceneCheck& check,
-                                     SceneSpec* resolved) {
+                                     const SettingsReader& read_settings, const SceneCheck& check) {
   LoadedScene loaded;
   Diagnostics diagnostics;
   const Stopwatch load_clock;
   loaded.spec = LoadScene(path, &diagnostics);
-  const Result<void> are_read = read_settings(loaded.spec, &diagnostics);
+  const Result<CompileOptions> options = read_settings(loaded.spec, &diagnostics);
   loaded.load_seconds = load_clock.Seconds();
-  if (!are_read && !diagnostics.HasErrors()) return are_read.error();
+  if (!options && !diagnostics.HasErrors()) return options.error();
   // Also after errors, so that one run shows those of both.
   const Stopwatch build_clock;
-  loaded.scene = CompileScene(loaded.spec, &diagnostics, resolved);
+  loaded.scene = CompileScene(loaded.spec, &diagnostics, options ? *options : CompileOptions());
   loaded.build_seconds = build_clock.Seconds();
   if (loaded.scene && check) check(*loaded.scene, &diagnostics);
   for (const std::string& line : diagnostics.Lines()) fmt::print(stderr, "{}\n", line);

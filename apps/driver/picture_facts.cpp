@@ -28,6 +28,13 @@ std::string_view PatternName(SamplePattern pattern) {
   return "";
 }
 
+std::string_view NameOf(DebugView view) {
+  for (const DebugViewEntry& entry : DebugViews()) {
+    if (entry.view == view) return entry.name;
+  }
+  return "";
+}
+
 std::string SamplerName(SamplerType type) {
   for (const SamplerEntry& entry : Samplers()) {
     if (entry.kind != type.kind) continue;
@@ -67,6 +74,10 @@ std::string PictureOptions(const RenderRequest& request) {
   add("mirror-bounces", light.mirror_bounces);
   add("transmission-bounces", light.transmission_bounces);
   if (light.shadows) options += " --shadows";
+  if (light.ao_distance) options += fmt::format(" --ao-distance {}", *light.ao_distance);
+  if (FindIntegrator(request.integrator)->Uses(kUsesView)) {
+    options += fmt::format(" --view {}", NameOf(light.view));
+  }
   if (render.pattern == SamplePattern::kFilter) {
     options += fmt::format(" --filter {}", render.filter);
   } else {

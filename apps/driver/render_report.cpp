@@ -24,10 +24,10 @@ double Mebibytes(uint64_t bytes) {
 std::string StatisticsToText(const RenderStatistics& statistics) {
   const RenderStatistics::Phases& seconds = statistics.seconds;
   const RayCounts& rays = statistics.rays;
-  std::string text =
-      fmt::format("{}: {} x {} pixels, {} samples each, {}, {} threads, {}\n", statistics.scene,
-                  statistics.width, statistics.height, statistics.samples_per_pixel,
-                  statistics.integrator, statistics.threads, statistics.isa);
+  std::string text = fmt::format("{}: {} x {} pixels, {} samples each, {}, {} threads, {}, {}\n",
+                                 statistics.scene, statistics.width, statistics.height,
+                                 statistics.samples_per_pixel, statistics.integrator,
+                                 statistics.threads, statistics.accelerator, statistics.isa);
   text += "time\n" + Row("load", seconds.load, "s") + Row("build", seconds.build, "s") +
           Row("render", seconds.render, "s") + Row("encode", seconds.encode, "s") +
           Row("write", seconds.write, "s") + Row("total", seconds.Total(), "s");
@@ -51,6 +51,7 @@ std::string StatisticsToJson(const RenderStatistics& statistics) {
                                        {"height", statistics.height},
                                        {"samples_per_pixel", statistics.samples_per_pixel},
                                        {"threads", statistics.threads},
+                                       {"accelerator", statistics.accelerator},
                                        {"isa", statistics.isa},
                                        {"seconds",
                                         {{"load", seconds.load},

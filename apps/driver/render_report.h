@@ -26,7 +26,8 @@ struct RenderStatistics {
   int width = 0, height = 0;  ///< Of what was rendered: the crop window.
   uint32_t samples_per_pixel = 0;
   int threads = 0;
-  std::string isa;  ///< The instruction set of the search.
+  std::string accelerator;  ///< What finds the hits,
+  std::string isa;          ///< and the instruction set of the search.
   Phases seconds;
   RayCounts rays;
   uint64_t dropped_samples = 0;  ///< NaN, infinite or negative ones.

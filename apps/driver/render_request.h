@@ -41,8 +41,9 @@ struct RenderRequest {
   IntegratorOptions integrator_options;
   RenderOptions render;
   OutputOptions output_options;
-  int threads = 0;         ///< 0: one per processor.
-  std::optional<Isa> isa;  ///< Nothing: the best that the processor knows.
+  int threads = 0;                  ///< 0: one per processor.
+  std::string accelerator = "bvh";  ///< One of the table of accelerators.
+  std::optional<Isa> isa;           ///< Nothing: the best that the processor knows.
 
   /// Where what was rendered is kept, to be continued, and every how many seconds of a long render.
   std::optional<std::filesystem::path> checkpoint;

@@ -90,9 +90,12 @@ class RenderRun {
     const auto check = [this](const Scene& scene, Diagnostics* diagnostics) {
       CheckForIntegrator(request_.integrator, scene, diagnostics);
     };
-    const auto read_settings = [this](const SceneSpec& spec, Diagnostics* diagnostics) {
-      const Result<void> are_read = read_settings_(spec, diagnostics);
-      return are_read ? CheckJpegSize() : are_read;
+    const auto read_settings = [this](const SceneSpec& spec,
+                                      Diagnostics* diagnostics) -> Result<CompileOptions> {
+      const Result<CompileOptions> options = read_settings_(spec, diagnostics);
+      if (!options) return options;
+      const Result<void> fits = CheckJpegSize();
+      return fits ? options : fits.error();
     };
     auto loaded = LoadSceneForUser(request_.scene, read_settings, check);
     if (!loaded) return loaded.error();
@@ -274,6 +277,7 @@ class RenderRun {
     statistics_.height = request_.render.crop.Height();
     statistics_.samples_per_pixel = request_.render.samples;
     statistics_.threads = ThreadCount();
+    statistics_.accelerator = AcceleratorName(loaded_->scene->tree().group->accelerator());
     statistics_.isa = IsaName(loaded_->scene->tree().group->isa());
     statistics_.scene_bytes = loaded_->scene->MemoryBytes();
     statistics_.peak_bytes = PeakMemory();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "integrators/ambient_occlusion.h"
 #include "integrators/light_trace.h"
 #include "integrators/path.h"
 #include "integrators/physical_scene.h"
@@ -18,15 +19,38 @@ void CheckForPath(const Scene& scene, Diagnostics* diagnostics) {
   CheckPhysical(scene, "path", diagnostics);
 }
 
+void CheckForDirect(const Scene& scene, Diagnostics* diagnostics) {
+  CheckPhysical(scene, "direct", diagnostics);
+}
+
+/// A path of one bounce is all of it: at the surface that the camera sees a light is sampled, and
+/// the bounce finds what shines; each is weighed against the other.
+Result<std::unique_ptr<Integrator>> CreateDirect(const Scene& scene,
+                                                 const IntegratorOptions& options) {
+  IntegratorOptions one_bounce = options;
+  one_bounce.bounces = 1;
+  return PathIntegrator::Create(scene, one_bounce);
+}
+
 constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", nullptr,
-     &WhittedIntegrator::Create, false, true, false},
+     &WhittedIntegrator::Create, false, true, false, false, kUsesBounces | kUsesShadows},
     {"path",
      "path tracing: light as it is, with all lights and all materials but Phong "
      "highlights that are not normalised",
-     &CheckForPath, &PathIntegrator::Create, true, true, false},
+     &CheckForPath, &PathIntegrator::Create, true, true, false, true,
+     kUsesBounces | kUsesBounceKinds},
     {"light_trace", "the same light, followed from the lights to the camera",
-     &LightTraceIntegrator::Check, &LightTraceIntegrator::Create, true, false, true},
+     &LightTraceIntegrator::Check, &LightTraceIntegrator::Create, true, false, true, true,
+     kUsesBounces | kUsesBounceKinds},
+    {"direct",
+     "what shines, and what it lights without a detour: path tracing of one bounce, mirrors "
+     "included",
+     &CheckForDirect, &CreateDirect, false, true, false, true, 0},
+    {"ambient_occlusion", "how much of the sky each surface sees", nullptr,
+     &AmbientOcclusionIntegrator::Create, false, false, false, true, kUsesAoDistance},
+    {"debug", "what a renderer works with, as --view says", nullptr, &DebugIntegrator::Create,
+     false, false, false, false, kUsesBounces | kUsesBounceKinds | kUsesShadows | kUsesView},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/result.h"
+#include "integrators/debug_view.h"
 #include "integrators/integrator.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
@@ -23,8 +24,20 @@ struct IntegratorOptions {
   /// and through surfaces. Unlimited without a value.
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
+  /// For `ambient_occlusion`: what is farther away is not in the way. Nothing without a value.
+  std::optional<float> ao_distance;
+  DebugView view = DebugView::kNormal;  ///< For `debug`.
   uint32_t seed = 0;
   SamplerType sampler;  ///< Where the random numbers come from.
+};
+
+/// Options that an integrator knows, as bits of a set; the others have no effect.
+enum IntegratorUse : uint32_t {
+  kUsesBounces = 1,
+  kUsesBounceKinds = 2,
+  kUsesShadows = 4,
+  kUsesAoDistance = 8,
+  kUsesView = 16,
 };
 
 /// An integrator that may be asked for by name.
@@ -40,6 +53,11 @@ struct IntegratorEntry {
   bool is_physical;      ///< Solves light transport; the contract tests hold it to a furnace.
   bool has_layers;       ///< Fills in `SampleOutput::layers`.
   bool has_light_paths;  ///< Light lands in pixels from paths that begin at lamps.
+  /// Its samples are drawn and never negative: a pixel is their mean, which takes many of them.
+  bool is_sampled;
+  uint32_t uses;  ///< A set of `IntegratorUse`.
+
+  bool Uses(IntegratorUse option) const { return (uses & option) != 0; }
 };
 
 std::span<const IntegratorEntry> IntegratorEntries();

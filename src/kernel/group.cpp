@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/check.h"
+#include "kernel/accelerators/accelerator.h"
+#include "kernel/accelerators/build_accelerated.h"
 #include "kernel/build_group.h"
 #include "kernel/trace_functions.h"
 
@@ -40,10 +42,14 @@ Error NoMemory() {
 Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions& options) {
   const kernel::TraceFunctions& functions = FunctionsOf(options.isa, options.width);
   try {
-    auto data = kernel::BuildGroup(input, options.quality, options.width, options.cancel);
+    const bool has_tree = options.accelerator == AcceleratorKind::kBvh;
+    auto data = has_tree ? kernel::BuildGroup(input, options.quality, options.width, options.cancel)
+                         : kernel::BuildAccelerated(input, options);
     if (!data) return data.error();
-    data->isa = options.isa;
-    data->trace = &functions;
+    if (has_tree) {
+      data->isa = options.isa;
+      data->trace = &functions;
+    }
     data->largest_coordinate = LargestCoordinate(data->bounds);
     return std::unique_ptr<Group>(new Group(std::move(*data)));
   } catch (const std::bad_alloc&) {
@@ -74,6 +80,9 @@ void Group::Occluded(RayOrder order, std::span<const Ray> rays, std::span<uint8_
 }
 
 Result<void> Group::Refit(const GroupInput& input) {
+  if (data_.structure) {
+    return Error{ErrorCode::kUsage, "only the kernel's own tree can be refitted"};
+  }
   try {
     auto done = kernel::RefitGroup(input, &data_);
     data_.largest_coordinate = LargestCoordinate(data_.bounds);
@@ -83,7 +92,12 @@ Result<void> Group::Refit(const GroupInput& input) {
   }
 }
 
+bool Group::HasUnbounded() const {
+  return data_.structure ? !data_.structure->table().unbounded.empty() : !data_.unbounded.empty();
+}
+
 uint64_t Group::MemoryBytes() const {
+  if (data_.structure) return data_.structure->MemoryBytes();
   return data_.records.size() * sizeof(kernel::Record) +
          data_.triangle_ids.capacity() * sizeof(uint32_t);
 }

@@ -10,6 +10,7 @@
 #include "geometry/bounds3.h"
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
+#include "kernel/accelerator_kind.h"
 #include "kernel/group_data.h"
 #include "kernel/group_input.h"
 #include "kernel/isa.h"
@@ -29,6 +30,8 @@ struct BuildOptions {
   /// Children of a node: 8, or 16 with AVX-512. Renderers trace lists of rays, which are faster
   /// with 8; who traces single rays gains with 16. The answers are the same.
   int width = 8;
+  /// The others have no quality, no width and no instruction set, and cannot be refitted.
+  AcceleratorKind accelerator = AcceleratorKind::kBvh;
 };
 
 /// How the rays of a list lie. Only a hint: the result is the same for both.
@@ -69,19 +72,20 @@ class Group {
   /// Takes new positions for the triangles, in the form and number of the old ones, and new boxes
   /// of primitives and instances, and keeps the shape of the tree: quick, and good as long as
   /// things stay near each other. What was left out when the group was built, without area or box,
-  /// stays so; masks and filters stay, too. Fails with `kUsage` for other items. Not concurrently
-  /// with queries.
+  /// stays so; masks and filters stay, too. Fails with `kUsage` for other items, and where there is
+  /// no tree (`BuildOptions::accelerator`). Not concurrently with queries.
   Result<void> Refit(const GroupInput& input);
 
   /// The box around all bounded items at all times.
   Bounds3 Bounds() const { return data_.bounds; }
   /// Whether some of it is unbounded, and stands beside the tree.
-  bool HasUnbounded() const { return !data_.unbounded.empty(); }
-  /// Nodes on the longest way down.
+  bool HasUnbounded() const;
+  /// Nodes of the kernel's tree on the longest way down.
   int Depth() const { return data_.depth; }
   /// The instruction set that searches it.
   Isa isa() const { return data_.isa; }
-  /// Of the tree alone: records and triangle ids.
+  AcceleratorKind accelerator() const { return data_.accelerator; }
+  /// Of what finds the hits alone: for the kernel's tree records and triangle ids.
   uint64_t MemoryBytes() const;
 
   /// For the kernel's own code.

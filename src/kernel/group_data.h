@@ -6,6 +6,7 @@
 
 #include "geometry/bounds3.h"
 #include "geometry/ray.h"
+#include "kernel/accelerator_kind.h"
 #include "kernel/arena.h"
 #include "kernel/isa.h"
 #include "kernel/primitive_set.h"
@@ -18,6 +19,7 @@ class Group;
 
 namespace candela::kernel {
 
+class Accelerator;
 struct TraceFunctions;
 
 /// What a search has to know of an item beyond the records.
@@ -57,6 +59,10 @@ struct GroupData {
   /// included.
   uint32_t stack_need = 0;
   float largest_coordinate = 0;  ///< Of `bounds`, by magnitude.
+
+  /// What finds hits in the place of the records; null for `kBvh`.
+  std::shared_ptr<const Accelerator> structure;
+  AcceleratorKind accelerator = AcceleratorKind::kBvh;
 
   Isa isa = Isa::kScalar;
   const TraceFunctions* trace = nullptr;

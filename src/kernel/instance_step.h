@@ -7,25 +7,34 @@ namespace candela::kernel {
 /// The map into a moving instance's group at a time. Compiled once, for all instruction sets.
 Transform GroupFromWorldAt(const ItemFacts& facts, float time);
 
-/// Takes the ray into the group of an instance: the group's tree goes on the stack above a mark,
-/// and t stays what it is. True when a search for any hit is over.
-template <class L, bool kAny>
-bool EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
-  const ItemFacts& facts = search->group->items[leaf.item];
+/// Takes the ray into the space of an instance's group, where t stays what it is. False when there
+/// is nothing for it there.
+template <class L>
+[[gnu::always_inline]] inline bool StepInside(uint32_t item, const Transform& at_rest,
+                                              Search<L>* search) {
+  const ItemFacts& facts = search->group->items[item];
   if ((facts.mask & search->asked->mask) == 0) return false;
   const Transform group_from_world =
-      facts.steps.empty() ? leaf.group_from_world : GroupFromWorldAt(facts, search->Time());
+      facts.steps.empty() ? at_rest : GroupFromWorldAt(facts, search->Time());
   const Vec3 origin = group_from_world.Point(search->space.sheared.origin);
   const Vec3 direction = group_from_world.Vector(search->space.sheared.direction);
   if (!IsTraceable<L>(origin, direction)) return false;
 
   search->outer[search->level] = {search->group, search->space};
-  search->path[search->level] = leaf.item;
+  search->path[search->level] = item;
   ++search->level;
   search->group = &facts.group->data();
   search->records = search->group->records.data();
   search->space.template Set<L>(origin, direction, search->t_min,
                                 search->group->largest_coordinate);
+  return true;
+}
+
+/// The same for a search by trees: the group's tree goes on the stack above a mark. True when a
+/// search for any hit is over.
+template <class L, bool kAny>
+bool EnterInstance(const InstanceLeaf& leaf, Search<L>* search) {
+  if (!StepInside<L>(leaf.item, leaf.group_from_world, search)) return false;
   search->stack.entry[search->stack.size++] =
       MakeEntry(0, MakeReference(RecordKind::kLeaveInstance, 0));
   if (TestFirstPrimitives<L, kAny>(search)) return true;

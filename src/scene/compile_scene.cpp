@@ -27,8 +27,12 @@ class SceneCompiler {
   /// So many triangles are copied for each object rather than shared, all copies together.
   static constexpr uint64_t kFewTriangles = 1000;
 
-  SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics, SceneSpec* resolved)
-      : spec_(spec), diagnostics_(*diagnostics), resolved_(resolved), scene_(new Scene()) {
+  SceneCompiler(const SceneSpec& spec, Diagnostics* diagnostics, const CompileOptions& options)
+      : spec_(spec),
+        diagnostics_(*diagnostics),
+        accelerator_(options.accelerator),
+        resolved_(options.resolved),
+        scene_(new Scene()) {
     if (resolved_) *resolved_ = spec;
   }
 
@@ -269,7 +273,7 @@ class SceneCompiler {
   void BuildTree() {
     std::vector<Mat4> world_from_object;
     for (const Place& place : places_) world_from_object.push_back(place.world_from_object);
-    auto tree = BuildSceneTree(scene_->objects_, world_from_object);
+    auto tree = BuildSceneTree(scene_->objects_, world_from_object, accelerator_);
     if (tree) {
       scene_->tree_ = *std::move(tree);
     } else {
@@ -279,7 +283,8 @@ class SceneCompiler {
 
   const SceneSpec& spec_;
   Diagnostics& diagnostics_;
-  SceneSpec* resolved_;
+  const AcceleratorKind accelerator_;
+  SceneSpec* const resolved_;
   std::unique_ptr<Scene> scene_;
   std::optional<MaterialCompiler> materials_;
   CompiledInteriors node_interiors_;
@@ -292,8 +297,8 @@ class SceneCompiler {
 };
 
 std::unique_ptr<Scene> CompileScene(const SceneSpec& spec, Diagnostics* diagnostics,
-                                    SceneSpec* resolved) {
-  return SceneCompiler(spec, diagnostics, resolved).Compile();
+                                    const CompileOptions& options) {
+  return SceneCompiler(spec, diagnostics, options).Compile();
 }
 
 }  // namespace candela

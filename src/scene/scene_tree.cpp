@@ -12,8 +12,11 @@ constexpr uint64_t kMostBytesOfSmall = 100'000;
 
 class SceneTreeBuilder {
  public:
-  SceneTreeBuilder(std::span<const SceneObject> objects, std::span<const Mat4> world_from_object)
-      : objects_(objects), world_from_object_(world_from_object) {}
+  SceneTreeBuilder(std::span<const SceneObject> objects, std::span<const Mat4> world_from_object,
+                   AcceleratorKind accelerator)
+      : objects_(objects), world_from_object_(world_from_object) {
+    options_.accelerator = accelerator;
+  }
 
   Result<SceneTree> Build() {
     GroupInput input(objects_.size());
@@ -32,7 +35,7 @@ class SceneTreeBuilder {
       }
       if (objects_[i].has_holes) input[i].mask = kAnyRay & ~uint32_t{kShadowRay};
     }
-    auto group = Group::Build(std::move(input), {});
+    auto group = Group::Build(std::move(input), options_);
     if (!group) return group.error();
     tree_.group = *std::move(group);
     tree_.is_small = tree_.MemoryBytes() <= kMostBytesOfSmall;
@@ -44,7 +47,7 @@ class SceneTreeBuilder {
   Result<std::shared_ptr<const Group>> GroupOf(const Shape* shape, const TriangleInput& triangles) {
     std::shared_ptr<const Group>& group = groups_[shape];
     if (group) return group;
-    auto built = Group::Build({GroupItem{triangles}}, {});
+    auto built = Group::Build({GroupItem{triangles}}, options_);
     if (!built) return built.error();
     group = *std::move(built);
     tree_.mesh_groups.push_back(group);
@@ -53,6 +56,7 @@ class SceneTreeBuilder {
 
   const std::span<const SceneObject> objects_;
   const std::span<const Mat4> world_from_object_;
+  BuildOptions options_;
   std::map<const Shape*, std::shared_ptr<const Group>> groups_;
   SceneTree tree_;
 };
@@ -84,8 +88,9 @@ uint64_t SceneTree::MemoryBytes() const {
 }
 
 Result<SceneTree> BuildSceneTree(std::span<const SceneObject> objects,
-                                 std::span<const Mat4> world_from_object) {
-  return SceneTreeBuilder(objects, world_from_object).Build();
+                                 std::span<const Mat4> world_from_object,
+                                 AcceleratorKind accelerator) {
+  return SceneTreeBuilder(objects, world_from_object, accelerator).Build();
 }
 
 }  // namespace candela

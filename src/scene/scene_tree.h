@@ -32,9 +32,11 @@ struct SceneTree {
   uint64_t MemoryBytes() const;
 };
 
-/// Builds the groups. The matrices are those of the objects, in double, for the instances among
-/// them. The objects have to stay where they are. Fails with `kResources`.
+/// Builds the groups, all with the same accelerator. The matrices are those of the objects, in
+/// double, for the instances among them. The objects have to stay where they are. Fails with
+/// `kResources`.
 Result<SceneTree> BuildSceneTree(std::span<const SceneObject> objects,
-                                 std::span<const Mat4> world_from_object);
+                                 std::span<const Mat4> world_from_object,
+                                 AcceleratorKind accelerator);
 
 }  // namespace candela

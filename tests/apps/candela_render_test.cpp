@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image/tone_curve.h"
+#include "kernel/accelerator_kind.h"
 #include "kernel/isa.h"
 #include "tests/apps/programs.h"
 
@@ -157,6 +158,16 @@ TEST_F(CandelaRenderTest, ThePictureDoesNotDependOnTheInstructionSet) {
   }
 }
 
+TEST_F(CandelaRenderTest, AnyAcceleratorGivesTheSamePicture) {
+  const size_t usual = Rendered({"--bounces", "2"});
+  for (const AcceleratorEntry& entry : Accelerators()) {
+    const std::string name(entry.name);
+    EXPECT_EQ(Rendered({"--bounces", "2", "--accelerator", name}), usual) << name;
+    const ProgramEnd end = Render({"-o", "o.exr", "--accelerator", name, "--stats"});
+    EXPECT_THAT(end.err, HasSubstr(" threads, " + name + ", "));
+  }
+}
+
 TEST_F(CandelaRenderTest, ACropIsThatPartOfTheWhole) {
   EXPECT_EQ(Render({"-o", "whole.exr", "--samples", "4"}).status, 0);
   EXPECT_EQ(Render({"-o", "part.exr", "--samples", "4", "--crop", "10", "5", "31", "30"}).status,
@@ -259,6 +270,9 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
       "'whitted'?)");
   ExpectUsageError({"-o", "o.png", "--samples", "0"},
                    "--samples: expects a whole number from 1 to 2147483647, found '0'");
+  ExpectUsageError({"-o", "o.png", "--accelerator", "octre"},
+                   "--accelerator: expects 'bvh', 'grid', 'octree' or 'none', found 'octre' (did "
+                   "you mean 'octree'?)");
   ExpectUsageError({"-o", "o.png", "--isa", "mmx"},
                    "--isa: expects 'scalar', 'avx2' or 'avx512', found 'mmx'");
   ExpectUsageError({"-o", "o.png", "--threads", "0"},

@@ -16,6 +16,7 @@ RenderStatistics Example() {
   statistics.height = 20;
   statistics.samples_per_pixel = 4;
   statistics.threads = 2;
+  statistics.accelerator = "bvh";
   statistics.isa = "avx2";
   statistics.seconds = {0.25, 0.5, 2, 0.125, 0.0625};
   statistics.rays = {2000000, 1500000, 500000};
@@ -28,7 +29,7 @@ RenderStatistics Example() {
 TEST(StatisticsToText, ShowsPhasesRaysRateAndMemory) {
   const std::string text = StatisticsToText(Example());
   for (const char* line :
-       {"30 x 20 pixels, 4 samples each, whitted, 2 threads, avx2\n",
+       {"30 x 20 pixels, 4 samples each, whitted, 2 threads, bvh, avx2\n",
         "load                 0.250 s\n", "build                0.500 s\n",
         "render               2.000 s\n", "encode               0.125 s\n",
         "write                0.062 s\n", "total                2.938 s\n",
@@ -54,6 +55,8 @@ TEST(StatisticsToJson, HoldsTheSame) {
   EXPECT_EQ(json["height"], 20);
   EXPECT_EQ(json["samples_per_pixel"], 4);
   EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["accelerator"], "bvh");
+  EXPECT_EQ(json["isa"], "avx2");
   EXPECT_EQ(json["seconds"]["load"], 0.25);
   EXPECT_EQ(json["seconds"]["build"], 0.5);
   EXPECT_EQ(json["seconds"]["render"], 2);

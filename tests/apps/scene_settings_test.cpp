@@ -195,6 +195,41 @@ TEST_F(SceneSettingsTest, TheCourseProgramKeepsToItsCommandLine) {
   EXPECT_EQ(Fingerprint("a.png"), Fingerprint("b.png"));
 }
 
+TEST_F(SceneSettingsTest, OptionsOfOtherIntegratorsAreWarnedOf) {
+  const auto err = [&](const std::string& settings, std::vector<std::string> arguments) {
+    PutScene(settings);
+    arguments.insert(arguments.begin(), {"render", "scene.txt", "-o", "o.png", "--size", "9", "9"});
+    const ProgramEnd end = Candela(arguments);
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  const auto no_effect = [](const std::string& integrator) {
+    return " has no effect with the integrator '" + integrator + "'\n";
+  };
+  EXPECT_EQ(err("", {"--integrator", "direct", "--bounces", "3"}),
+            "candela render: warning: --bounces" + no_effect("direct"));
+  EXPECT_EQ(err("", {"--view", "uv"}), "candela render: warning: --view" + no_effect("whitted"));
+  EXPECT_EQ(err("Render { integrator path ao_distance 2 }", {}),
+            "scene.txt:1:26: warning: 'ao_distance'" + no_effect("path"));
+  EXPECT_EQ(err("Render { integrator ambient_occlusion ao_distance 2 }", {}), "");
+  EXPECT_EQ(err("Render { integrator debug view cost bounces 2 }", {}), "");
+  EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("view cost"));
+}
+
+TEST_F(SceneSettingsTest, ScenesChooseTheAccelerator) {
+  PutScene("Render { accelerator grid }");
+  EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("\naccelerator grid, "));
+  EXPECT_THAT(Candela({"info", "--resolved", "scene.txt"}).out,
+              HasSubstr("\n  accelerator grid\n"));
+  const auto err = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"render", "scene.txt", "-o", "o.png", "--size", "9", "9", "--stats"});
+    return Candela(more).err;
+  };
+  EXPECT_THAT(err({}), HasSubstr(" threads, grid, "));
+  EXPECT_THAT(err({"--accelerator", "octree"}), HasSubstr(" threads, octree, "));
+}
+
 TEST_F(SceneSettingsTest, ResolvedScenesHoldThem) {
   PutScene("Render { integrator path samples 2 } Film { size 20 10 }");
   const ProgramEnd resolved = Candela({"info", "--resolved", "scene.txt"});

@@ -69,6 +69,20 @@ std::string LinesOfRandomScenes() {
   return lines;
 }
 
+std::string LinesOfOtherIntegrators() {
+  std::string lines;
+  for (const char* integrator : {"direct", "ambient_occlusion", "debug"}) {
+    for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
+      const Subject subject = MakeMeshSubject(integrator, seed);
+      if (!subject.integrator) continue;
+      const RenderOptions options = WholePicture(kWidth, kHeight);
+      lines += Line(fmt::format("meshes, {} {}", integrator, seed),
+                    RenderImage(*subject.integrator, options));
+    }
+  }
+  return lines;
+}
+
 std::string LinesOfMeshScenes() {
   std::string lines;
   for (const char* integrator : {"whitted", "path", "light_trace"}) {
@@ -99,8 +113,8 @@ std::string LinesOfPlacements() {
 }
 
 TEST(Golden, HashesOfFloatPicturesAreTheStoredOnes) {
-  const std::string lines =
-      LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements() + LinesOfMeshScenes();
+  const std::string lines = LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements() +
+                            LinesOfMeshScenes() + LinesOfOtherIntegrators();
   if (testing_support::IsUpdate()) {
     ASSERT_TRUE(WriteFileAtomically(kFile, std::as_bytes(std::span(lines))));
     return;

@@ -53,7 +53,9 @@ TEST_P(Lists, OfAnyLengthGiveTheSameRadiance) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Lists, testing::Values("whitted", "path", "light_trace"),
+INSTANTIATE_TEST_SUITE_P(All, Lists,
+                         testing::Values("whitted", "path", "light_trace", "direct",
+                                         "ambient_occlusion", "debug"),
                          [](const auto& test) { return std::string(test.param); });
 
 bool AreSame(const HitRecord& a, const HitRecord& b) {

@@ -31,18 +31,21 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
 
 std::string TextFor(const std::string& integrator, uint32_t seed) {
   if (integrator == "whitted") return RandomScene(seed);
-  return RandomDiffuseScene(seed, integrator == "path" ? Paths::kFromCamera : Paths::kFromLights);
+  const bool is_from_lights = integrator == "light_trace";
+  return RandomDiffuseScene(seed, is_from_lights ? Paths::kFromLights : Paths::kFromCamera);
 }
 
 }  // namespace
 
-Subject MakeSubject(const std::string& integrator, uint32_t seed) {
-  return WithIntegrator(integrator, testing_support::SceneOfText(TextFor(integrator, seed)));
+Subject MakeSubject(const std::string& integrator, uint32_t seed, AcceleratorKind accelerator) {
+  return WithIntegrator(integrator,
+                        testing_support::SceneOfText(TextFor(integrator, seed), ".", accelerator));
 }
 
-Subject MakeMeshSubject(const std::string& integrator, uint32_t seed) {
+Subject MakeMeshSubject(const std::string& integrator, uint32_t seed, AcceleratorKind accelerator) {
   return WithIntegrator(
-      integrator, testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed))));
+      integrator,
+      testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed)), accelerator));
 }
 
 std::vector<Placement> Placements() {

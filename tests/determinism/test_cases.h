@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "integrators/integrator.h"
+#include "kernel/accelerator_kind.h"
 #include "render/render_options.h"
 #include "scene/scene.h"
 
@@ -17,10 +18,12 @@ struct Subject {
 };
 
 /// `whitted` with shadows and three bounces, or one of the others, on a random scene that it takes.
-Subject MakeSubject(const std::string& integrator, uint32_t seed);
+Subject MakeSubject(const std::string& integrator, uint32_t seed,
+                    AcceleratorKind accelerator = AcceleratorKind::kBvh);
 
 /// The same on a random scene with meshes.
-Subject MakeMeshSubject(const std::string& integrator, uint32_t seed);
+Subject MakeMeshSubject(const std::string& integrator, uint32_t seed,
+                        AcceleratorKind accelerator = AcceleratorKind::kBvh);
 
 /// A way to place samples, with a name for the test.
 struct Placement {

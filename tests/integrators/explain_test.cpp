@@ -90,8 +90,8 @@ TEST(IntegratorRegistry, ANameThatIsUnknownIsAnsweredWithTheNearestOne) {
   ASSERT_FALSE(integrator.ok());
   EXPECT_EQ(integrator.error().code, ErrorCode::kUsage);
   EXPECT_EQ(integrator.error().message,
-            "there is no integrator 'whited' (did you mean 'whitted'?); known: 'whitted', 'path' "
-            "or 'light_trace'");
+            "there is no integrator 'whited' (did you mean 'whitted'?); known: 'whitted', 'path', "
+            "'light_trace', 'direct', 'ambient_occlusion' or 'debug'");
 }
 
 }  // namespace

@@ -227,5 +227,14 @@ TEST(Instances, OfAGroupWithNodesOfAnotherWidthAreErrors) {
   EXPECT_EQ(ErrorOfInstance(item), ErrorCode::kUsage);
 }
 
+TEST(Instances, OfAGroupWithAnotherAcceleratorAreErrors) {
+  BuildOptions grid;
+  grid.accelerator = AcceleratorKind::kGrid;
+  const std::shared_ptr<const Group> inner = MustBuild(OfMesh(Globe(4, 4)), grid);
+  const GroupItem item{InstanceInput{inner, {Mat4::Identity()}}};
+  EXPECT_TRUE(Group::Build({item}, grid).ok());
+  EXPECT_EQ(ErrorOfInstance(item), ErrorCode::kUsage);
+}
+
 }  // namespace
 }  // namespace candela::test

@@ -208,8 +208,9 @@ TEST(RayLimits, TheLowerOneCountsAndTheUpperOneDoesNot) {
 }
 
 TEST(RayLimits, AMissLeavesTheRecordAsItWas) {
+  const GroupDescription description = OneOfEverything();
   for (const BuildOptions& options : AllBuildOptions()) {
-    const auto group = MustBuild(OneOfEverything(), options);
+    const auto group = MustBuild(description, options);
     HitRecord before;
     before.t = 0.25f, before.u = 7, before.v = 8, before.object = 9, before.primitive = 10;
     before.nested[0] = 11;

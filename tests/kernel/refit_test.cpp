@@ -65,7 +65,7 @@ int CountWrong(const Group& group, const GroupDescription& description,
 }
 
 TEST(Refit, AnswersForTheNewPlaces) {
-  for (const BuildOptions& options : AllBuildOptions()) {
+  for (const BuildOptions& options : TreeBuildOptions()) {
     Arrangement arrangement;
     BuiltGroups built;
     auto first = InputOf(arrangement.Next(), options, &built);
@@ -93,7 +93,7 @@ TEST(Refit, OfATreeThatFitsNoMoreIsSlowButRight) {
   for (Vec3& p : after.positions) p = RandomPoint(&random);
   const GroupDescription moved = OfMesh(after);
   const std::vector<Ray> rays = RandomRays(moved, 500, &random);
-  for (const BuildOptions& options : AllBuildOptions()) {
+  for (const BuildOptions& options : TreeBuildOptions()) {
     const auto group = MustBuild(OfMesh(before), options);
     const auto input = InputOf(moved, options);
     ASSERT_TRUE(input.ok() && group->Refit(*input).ok());
@@ -105,7 +105,7 @@ TEST(Refit, ToAnotherNumberOfTrianglesFailsAndChangesNothing) {
   const GroupDescription globe = OfMesh(Globe(10, 10));
   UniformNumbers random(4);
   const std::vector<Ray> rays = RandomRays(globe, 200, &random);
-  for (const BuildOptions& options : AllBuildOptions()) {
+  for (const BuildOptions& options : TreeBuildOptions()) {
     const auto group = MustBuild(globe, options);
     for (const int rows : {5, 20}) {
       const auto other = OfMesh(Globe(rows, rows));
@@ -116,6 +116,22 @@ TEST(Refit, ToAnotherNumberOfTrianglesFailsAndChangesNothing) {
       EXPECT_EQ(done.error().code, ErrorCode::kUsage);
     }
     EXPECT_EQ(CountWrong(*group, globe, rays, ToString(options)), 0);
+  }
+}
+
+TEST(Refit, IsForTreesAlone) {
+  const GroupDescription globe = OfMesh(Globe(10, 10));
+  for (const AcceleratorEntry& entry : Accelerators()) {
+    BuildOptions options;
+    options.accelerator = entry.kind;
+    const auto group = MustBuild(globe, options);
+    const auto input = InputOf(globe, options);
+    ASSERT_TRUE(input.ok());
+    const auto done = group->Refit(*input);
+    EXPECT_EQ(done.ok(), entry.kind == AcceleratorKind::kBvh) << entry.name;
+    if (!done) {
+      EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+    }
   }
 }
 

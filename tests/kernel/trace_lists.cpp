@@ -35,13 +35,24 @@ std::vector<Isa> SupportedIsas() {
   return isas;
 }
 
-std::vector<BuildOptions> AllBuildOptions() {
+std::vector<BuildOptions> TreeBuildOptions() {
   std::vector<BuildOptions> all;
   for (const Isa isa : SupportedIsas()) {
     for (const BuildQuality quality : {BuildQuality::kFast, BuildQuality::kBest}) {
       all.push_back({quality, isa, nullptr, 8});
       if (isa == Isa::kAvx512) all.push_back({quality, isa, nullptr, 16});
     }
+  }
+  return all;
+}
+
+std::vector<BuildOptions> AllBuildOptions() {
+  std::vector<BuildOptions> all = TreeBuildOptions();
+  for (const AcceleratorEntry& entry : Accelerators()) {
+    if (entry.kind == AcceleratorKind::kBvh) continue;
+    BuildOptions options;
+    options.accelerator = entry.kind;
+    all.push_back(options);
   }
   return all;
 }
@@ -70,6 +81,9 @@ std::string ToString(const Ray& ray) {
 }
 
 std::string ToString(const BuildOptions& options) {
+  if (options.accelerator != AcceleratorKind::kBvh) {
+    return std::string(AcceleratorName(options.accelerator));
+  }
   return std::string(IsaName(options.isa)) +
          (options.quality == BuildQuality::kFast ? " fast" : " best") +
          (options.width == 16 ? ", nodes of 16" : "");

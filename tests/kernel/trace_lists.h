@@ -19,9 +19,11 @@ std::vector<HitRecord> IntersectList(const Group& group, Entry entry, std::span<
 /// What `Occluded` says: 0 or 1.
 std::vector<uint8_t> OccludedList(const Group& group, Entry entry, std::span<const Ray> rays);
 
-/// The instruction sets of this machine, and each with both qualities.
+/// The instruction sets of this machine; and each with both qualities, and the other accelerators.
 std::vector<Isa> SupportedIsas();
 std::vector<BuildOptions> AllBuildOptions();
+/// Those with the kernel's own tree.
+std::vector<BuildOptions> TreeBuildOptions();
 
 /// Bit for bit, so that 0 is not -0.
 inline bool IsSame(const HitRecord& a, const HitRecord& b) {

@@ -185,7 +185,7 @@ TEST(Watertight, ThreeMeshesAreClosedNoMore) {
 }
 
 int64_t RaysOfOne() {
-  return kRays / ((kInstances + kMeshes) * static_cast<int64_t>(AllBuildOptions().size()));
+  return kRays / ((kInstances + kMeshes) * static_cast<int64_t>(TreeBuildOptions().size()));
 }
 
 TEST(Watertight, ClosedMeshesAre) {
@@ -193,7 +193,7 @@ TEST(Watertight, ClosedMeshesAre) {
     for (const Placement& placement : kPlacements) {
       const TestMesh mesh = placement.Place(shell);
       if (!placement.HasInside(shell) || CountCollinear(mesh) > 0) continue;
-      for (const BuildOptions& options : AllBuildOptions()) {
+      for (const BuildOptions& options : TreeBuildOptions()) {
         const auto group = MustBuild(OfMesh(mesh), options);
         ExpectTight(*group, shell, mesh, placement, RaysOfOne(),
                     Name(shell, placement) + ", " + ToString(options));
@@ -204,7 +204,7 @@ TEST(Watertight, ClosedMeshesAre) {
 
 TEST(Watertight, InstancesOfClosedMeshesAre) {
   for (const Shell& shell : Shells()) {
-    for (const BuildOptions& options : AllBuildOptions()) {
+    for (const BuildOptions& options : TreeBuildOptions()) {
       const std::shared_ptr<const Group> inner = MustBuild(OfMesh(shell.mesh), options);
       for (const Placement& placement : kPlacements) {
         if (!placement.HasInside(shell)) continue;

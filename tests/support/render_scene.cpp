@@ -12,31 +12,35 @@
 namespace candela::testing_support {
 namespace {
 
-std::unique_ptr<Scene> Compile(const SceneSpec& spec, Diagnostics* diagnostics) {
+std::unique_ptr<Scene> Compile(const SceneSpec& spec, AcceleratorKind accelerator,
+                               Diagnostics* diagnostics) {
+  CompileOptions options;
+  options.accelerator = accelerator;
   std::unique_ptr<Scene> scene;
-  if (!diagnostics->HasErrors()) scene = CompileScene(spec, diagnostics);
+  if (!diagnostics->HasErrors()) scene = CompileScene(spec, diagnostics, options);
   for (const std::string& line : diagnostics->Lines()) ADD_FAILURE() << line;
   return scene;
 }
 
 }  // namespace
 
-std::unique_ptr<Scene> SceneOfFile(const std::filesystem::path& path) {
+std::unique_ptr<Scene> SceneOfFile(const std::filesystem::path& path, AcceleratorKind accelerator) {
   Diagnostics diagnostics;
   const SceneSpec spec = LoadScene(path, &diagnostics);
-  return Compile(spec, &diagnostics);
+  return Compile(spec, accelerator, &diagnostics);
 }
 
-std::unique_ptr<Scene> SceneOfText(const std::string& text, const std::filesystem::path& folder) {
+std::unique_ptr<Scene> SceneOfText(const std::string& text, const std::filesystem::path& folder,
+                                   AcceleratorKind accelerator) {
   Diagnostics diagnostics;
   const SceneSpec spec =
       ParseScene(std::make_shared<const std::string>("text"), text, folder, &diagnostics);
-  return Compile(spec, &diagnostics);
+  return Compile(spec, accelerator, &diagnostics);
 }
 
-std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec) {
+std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec, AcceleratorKind accelerator) {
   Diagnostics diagnostics;
-  return Compile(spec, &diagnostics);
+  return Compile(spec, accelerator, &diagnostics);
 }
 
 RenderOptions WholePicture(int width, int height) {

@@ -8,6 +8,7 @@
 
 #include "image/raster.h"
 #include "integrators/integrator.h"
+#include "kernel/accelerator_kind.h"
 #include "render/render_options.h"
 #include "scene/scene.h"
 #include "scene_spec/scene_spec.h"
@@ -33,10 +34,13 @@ inline const CourseScene& CourseSceneOf(int number) {
 
 /// Compiled from a file, from text whose files lie in `folder`, or from a description. Errors and
 /// warnings fail the test; null when there were errors.
-std::unique_ptr<Scene> SceneOfFile(const std::filesystem::path& path);
+std::unique_ptr<Scene> SceneOfFile(const std::filesystem::path& path,
+                                   AcceleratorKind accelerator = AcceleratorKind::kBvh);
 std::unique_ptr<Scene> SceneOfText(const std::string& text,
-                                   const std::filesystem::path& folder = ".");
-std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec);
+                                   const std::filesystem::path& folder = ".",
+                                   AcceleratorKind accelerator = AcceleratorKind::kBvh);
+std::unique_ptr<Scene> SceneOfSpec(const SceneSpec& spec,
+                                   AcceleratorKind accelerator = AcceleratorKind::kBvh);
 
 /// One sample in the middle of each pixel, all of them rendered.
 RenderOptions WholePicture(int width, int height);

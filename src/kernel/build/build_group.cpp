@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "kernel/build/binary_builder.h"
 #include "kernel/build/collapse.h"
+#include "kernel/build/copy_facts.h"
 #include "kernel/build/emit.h"
 #include "kernel/build/leaf_writer.h"
 
@@ -16,9 +17,6 @@ namespace {
 
 /// Room for pieces of triangles: so many times the number of triangles.
 constexpr double kGrowth = 1.6;
-
-/// So that their pieces, and pairs of nodes, can be numbered.
-constexpr uint64_t kMostPrimitives = 1u << 30;
 
 /// A binary tree, and what becomes of it.
 struct ChosenNodes {
@@ -34,14 +32,7 @@ class GroupBuilder {
   }
 
   Result<GroupData> Build() {
-    if (const Result<void> facts = CopyFacts(); !facts) return facts.error();
-    uint64_t total = 0;
-    for (const BuildItem& item : items_) total += item.count;
-    if (total > kMostPrimitives) {
-      return Error{
-          ErrorCode::kResources,
-          "the scene is too large: one group can have 2^30 triangles and other primitives"};
-    }
+    if (const auto facts = CopyFacts(input_, items_, &group_); !facts) return facts.error();
     // Usually the first tree is it. One that a search would need a large stack for is built again,
     // flatter: at last simply halved, down from the root.
     FragmentList lists[2];
@@ -71,36 +62,6 @@ class GroupBuilder {
   }
 
  private:
-  /// What searches know of the items. Fails for instances that cannot be, and when groups nest too
-  /// deeply.
-  Result<void> CopyFacts() {
-    for (const GroupItem& item : input_) {
-      ItemFacts& facts = group_.items.emplace_back();
-      facts.count = items_[group_.items.size() - 1].count;
-      facts.mask = item.mask;
-      if (const auto* triangles = std::get_if<TriangleInput>(&item.content)) {
-        if (triangles->steps == 0) {
-          return Error{ErrorCode::kUsage, "a mesh needs one time step at least"};
-        }
-      }
-      facts.filter = item.filter;
-      if (const auto* primitives = std::get_if<PrimitiveInput>(&item.content)) {
-        facts.set = primitives->set;
-      } else if (const auto* instance = std::get_if<InstanceInput>(&item.content)) {
-        if (auto usable = CheckInstance(item, *instance, group_.width); !usable) return usable;
-        facts.group = instance->group;
-        if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
-        group_.levels = std::max(group_.levels, 1 + facts.group->data().levels);
-      }
-    }
-    if (group_.levels > kMostLevels) {
-      return Error{ErrorCode::kResources, "groups are nested too deeply: at most " +
-                                              std::to_string(HitRecord::kMostNested) +
-                                              " inside one another"};
-    }
-    return {};
-  }
-
   Result<uint32_t> BuildTrees(FragmentList* lists, uint32_t halving_depth) {
     ChosenNodes nodes[2];
     ChosenTree trees[2];

@@ -86,12 +86,15 @@ std::vector<BuildItem> MakeBuildItems(const GroupInput& input) {
   return items;
 }
 
-Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance, int width) {
+Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance,
+                           const GroupData& group) {
   const char* problem = nullptr;
   if (!instance.group) {
     problem = "an instance needs a group";
-  } else if (instance.group->data().width != width) {
+  } else if (instance.group->data().width != group.width) {
     problem = "a group and those that it has instances of need nodes of the same width";
+  } else if (instance.group->data().accelerator != group.accelerator) {
+    problem = "a group and those that it has instances of need the same accelerator";
   } else if (instance.world_from_group.empty() ||
              !InverseAffine(instance.world_from_group.front())) {
     problem = "an instance needs matrices, the first of them with an inverse";

@@ -10,6 +10,8 @@
 
 namespace candela::kernel {
 
+struct GroupData;
+
 /// An item of the input in the form that the builder asks for.
 struct BuildItem {
   const TriangleInput* triangles = nullptr;  ///< One of these three, or none of them.
@@ -37,8 +39,9 @@ struct BuildItem {
 
 std::vector<BuildItem> MakeBuildItems(const GroupInput& input);
 
-/// Fails for an instance that a group with nodes of this width cannot have.
-Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance, int width);
+/// Fails for an instance that a group with such nodes and such an accelerator cannot have.
+Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance,
+                           const GroupData& group);
 
 /// What `BoxOf` finds instead of a box.
 enum class BoxState {

@@ -33,7 +33,7 @@ class Refitter {
     if (!SameItems()) return OtherItems();
     for (size_t i = 0; i < input_.size(); ++i) {
       if (!items_[i].instance) continue;
-      const auto usable = CheckInstance(input_[i], *items_[i].instance, kWidth);
+      const auto usable = CheckInstance(input_[i], *items_[i].instance, group_);
       if (!usable) return usable;
     }
     std::vector<Reference> tasks;

@@ -1,0 +1,101 @@
+#include "integrators/ambient_occlusion.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/spawn_ray.h"
+#include "integrators/path_queue.h"
+#include "integrators/path_state.h"
+#include "integrators/registry.h"
+#include "math/frame.h"
+#include "sampling/warp.h"
+
+namespace candela {
+
+struct AmbientOcclusionIntegrator::Batch final : Workspace {
+  struct State {
+    Sampler sampler{0, 0, 0, 0};
+  };
+
+  PathQueue<State> paths;
+  std::vector<uint32_t> samples;    ///< Those that see a surface,
+  std::vector<Ray> rays_to_sky;     ///< the rays that leave it,
+  std::vector<uint8_t> is_stopped;  ///< and whether something is in the way.
+};
+
+AmbientOcclusionIntegrator::AmbientOcclusionIntegrator(const Scene& scene,
+                                                       const IntegratorOptions& options)
+    : scene_(scene),
+      distance_(options.ao_distance.value_or(Ray().t_max)),
+      seed_(options.seed),
+      sampler_(options.sampler) {}
+
+Result<std::unique_ptr<Integrator>> AmbientOcclusionIntegrator::Create(
+    const Scene& scene, const IntegratorOptions& options) {
+  return std::unique_ptr<Integrator>(std::make_unique<AmbientOcclusionIntegrator>(scene, options));
+}
+
+std::unique_ptr<Workspace> AmbientOcclusionIntegrator::MakeWorkspace() const {
+  return std::make_unique<Batch>();
+}
+
+void AmbientOcclusionIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
+                                       const SampleOutput& output) const {
+  Batch* batch = static_cast<Batch*>(workspace);
+  for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
+    const size_t count = std::min(kMostTogether, samples.size() - begin);
+    Follow(samples.subspan(begin, count), batch, output.Part(begin, count));
+  }
+}
+
+void AmbientOcclusionIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
+                                        const SampleOutput& output) const {
+  PathQueue<Batch::State>& paths = batch->paths;
+  paths.Resize(samples.size());
+  const bool is_pinhole = scene_.camera().IsPinhole();
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const SampleRequest& request = samples[i];
+    const Sampler sampler(seed_, request.x, request.y, request.index, sampler_);
+    paths.states()[i].sampler = sampler;
+    paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
+                                 : scene_.camera().GenerateRay(request.image_point,
+                                                               sampler.Get2D(kLensDimension));
+  }
+  batch->rays.camera += samples.size();
+  paths.FindHits(scene_, is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered);
+
+  batch->samples.clear();
+  batch->rays_to_sky.clear();
+  for (uint32_t i = 0; i < samples.size(); ++i) {
+    const Ray& ray = paths.rays()[i];
+    const HitRecord& hit = paths.hits()[i];
+    output.radiance[i] = Spectrum();
+    if (!hit.IsHit()) {
+      output.radiance[i] = scene_.background().Radiance(ray.direction);
+      continue;
+    }
+    const SurfacePoint point = scene_.SurfaceAt(ray, hit);
+    const bool is_behind = Dot(point.n_geometric, ray.direction) > 0;
+    const Vec3 outward = is_behind ? -point.n_geometric : point.n_geometric;
+    const Vec3 n = Dot(point.n_shading, outward) < 0 ? -point.n_shading : point.n_shading;
+    const Vec2 u = paths.states()[i].sampler.Get2D(BounceDimension(0) + kDirection);
+    const Vec3 w = Frame::FromNormal(n).ToWorld(SampleCosineHemisphere(u));
+    if (!(Dot(w, outward) > 0)) continue;  // The surface itself is in the way.
+    Ray to_sky = SpawnRay(point, w);
+    to_sky.t_max = distance_;
+    to_sky.mask = kShadowRay;
+    batch->samples.push_back(i);
+    batch->rays_to_sky.push_back(to_sky);
+  }
+
+  const size_t count = batch->rays_to_sky.size();
+  batch->rays.shadow += count;
+  scene_.Occluded(RayOrder::kScattered, batch->rays_to_sky, FirstOf(&batch->is_stopped, count));
+  for (size_t i = 0; i < count; ++i) {
+    if (batch->is_stopped[i]) continue;
+    const float left = scene_.HasHoles() ? scene_.Transparency(batch->rays_to_sky[i]) : 1;
+    output.radiance[batch->samples[i]] = Spectrum(left);
+  }
+}
+
+}  // namespace candela

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "math/transform.h"
 #include "math/vec.h"
 
 namespace candela {
@@ -24,6 +25,9 @@ struct SurfacePoint {
   Vec2 uv{};
   Vec3 dpdu{}, dpdv{};  ///< How `p` moves with them; 0 where they say nothing.
   float footprint = 0;  ///< The width of what the ray stands for at the hit; 0 when unknown.
+  /// Into the space of the object's node, for textures that fill space; outlives the point. Null
+  /// where `p` is in that space.
+  const Transform* object_from_world = nullptr;
 };
 
 }  // namespace candela

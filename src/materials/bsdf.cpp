@@ -60,7 +60,14 @@ float Pdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
 
 BsdfValue EvalWithPdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
   const Vec3 o = bsdf.frame.ToLocal(wo), i = bsdf.frame.ToLocal(wi);
-  return {EvalLocal(bsdf, o, i), PdfLocal(bsdf, o, i)};
+  Spectrum value;
+  float pdf = 0;
+  for (int lobe = 0; lobe < bsdf.count; ++lobe) {
+    const LobeValue part = EvalLobeWithPdf(bsdf.lobes[lobe], o, i);
+    value += part.value * bsdf.lobes[lobe].share;
+    pdf += bsdf.lobes[lobe].pick * part.pdf;
+  }
+  return {value, bsdf.pick_sum > 0 ? pdf / bsdf.pick_sum : 0};
 }
 
 BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {

@@ -130,6 +130,11 @@ float Value(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 
   return SingleValue(glass, path, wo, wi) + MultipleValue(glass, wo, wi);
 }
 
+/// A value for a direction, with the colour of what goes through.
+Spectrum Coloured(const Lobe& lobe, float value, Vec3 wi) {
+  return wi.z > 0 ? Spectrum(value) : lobe.weight * value;
+}
+
 float RefractedShare(float eta, const Ggx& surface, Vec3 wo, Vec3 m, float cos_beyond) {
   const Vec3 wi = Refracted(wo, m, eta, cos_beyond);
   if (!(wi.z < 0)) return 0;
@@ -151,7 +156,7 @@ LobeSample SampleSmoothDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
   if (u.x < reflectance) {
     sample.wi = MirrorDirection(wo);
     sample.pdf = reflectance;
-    sample.weight = lobe.weight;
+    sample.weight = Spectrum(1);
   } else {
     sample.wi = Refracted(wo, {0, 0, 1}, eta, beyond);
     sample.pdf = 1 - reflectance;
@@ -163,7 +168,7 @@ LobeSample SampleSmoothDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
 
 Spectrum EvalDielectric(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   const FacetPath path = PathOver(lobe.dielectric, wo, wi);
-  return lobe.weight * Value(lobe.dielectric, path, wo, wi);
+  return Coloured(lobe, Value(lobe.dielectric, path, wo, wi), wi);
 }
 
 float DielectricPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
@@ -191,8 +196,8 @@ LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
   const FacetPath path = PathOver(glass, wo, sample.wi);
   sample.pdf = DensityOf(glass, path, wo, sample.wi);
   if (!(sample.pdf > 0)) return {};
-  sample.weight =
-      lobe.weight * (Value(glass, path, wo, sample.wi) * std::abs(sample.wi.z) / sample.pdf);
+  const float weight = Value(glass, path, wo, sample.wi) * std::abs(sample.wi.z) / sample.pdf;
+  sample.weight = Coloured(lobe, weight, sample.wi);
   if (!is_reflection) sample.eta = glass.eta;
   return sample;
 }

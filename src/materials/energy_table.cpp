@@ -73,6 +73,24 @@ float SquaresBetween(int column) {
   return SquareAt(column + 1) - SquareAt(column);
 }
 
+/// The mean, weighted by the cosine, of a polynomial of degree 1 or 2 in the root of the cosine
+/// between each two columns. With the weight it has a degree of at most 5, where three points of
+/// Gauss give the exact integral.
+template <class Function>
+double CosineMean(const Function& function) {
+  constexpr double kNodes[] = {-0.7745966692414834, 0, 0.7745966692414834};
+  constexpr double kWeights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  double sum = 0;
+  for (int interval = 0; interval < kIntervals; ++interval) {
+    for (int i = 0; i < 3; ++i) {
+      const double root = (interval + 0.5 + 0.5 * kNodes[i]) / kIntervals;
+      const double value = function(static_cast<float>(root * root));
+      sum += kWeights[i] * 2 * root * root * root * value / kIntervals;
+    }
+  }
+  return sum;
+}
+
 float ShareOf(const Ggx& surface, Vec3 wo, const EnergyTable::Facet& facet, Points points) {
   const auto turns = static_cast<float>(points.turns), rings = static_cast<float>(points.rings);
   double sum = 0, weights = 0;
@@ -137,6 +155,19 @@ float EnergyTable::RowOfAzimuth(Vec3 w) {
   return Atan2(std::abs(w.y), std::abs(w.x)) / quarter * (kAzimuthRows - 1);
 }
 
+// The arc tangent by a polynomial of Hastings, "Approximations for Digital Computers", 1955.
+float EnergyTable::NearRowOfAzimuth(Vec3 w) {
+  const float x = std::abs(w.x), y = std::abs(w.y);
+  const float larger = std::max(x, y);
+  const float q = larger > 0 ? std::min(x, y) / larger : 0, q2 = q * q;
+  const float angle =
+      q *
+      (0.9998660f + q2 * (-0.3302995f + q2 * (0.1801410f + q2 * (-0.0851330f + q2 * 0.0208351f))));
+  constexpr auto kRowsPerRadian = static_cast<float>((kAzimuthRows - 1) / (kPi / 2));
+  const float row = angle * kRowsPerRadian;
+  return y > x ? (kAzimuthRows - 1) - row : row;
+}
+
 void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet,
                           Detail detail) {
   const float c = Cos(azimuth), s = Sin(azimuth);
@@ -151,19 +182,11 @@ void EnergyTable::FillRow(int row, const Ggx& surface, float azimuth, const Face
 
 void EnergyTable::Summarise() {
   // The mean is that of the blended shares rather than of the true ones: with it the added term
-  // gives back exactly what the table says to be missing. Of a polynomial of degree 4 in the root
-  // of the cosine, three points of Gauss give the exact integral.
-  constexpr double kNodes[] = {-0.7745966692414834, 0, 0.7745966692414834};
-  constexpr double kWeights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  // gives back exactly what the table says to be missing.
   for (int row = 0; row < rows_; ++row) {
-    double missing = 0, area = 0;
-    for (int interval = 0; interval < kIntervals; ++interval) {
-      for (int i = 0; i < 3; ++i) {
-        const double root = (interval + 0.5 + 0.5 * kNodes[i]) / kIntervals;
-        const float share = At(static_cast<float>(root * root), static_cast<float>(row));
-        missing += kWeights[i] * 2 * root * root * root * (1 - double{share}) / kIntervals;
-      }
-    }
+    double area = 0;
+    const double missing =
+        CosineMean([&](float cosine) { return 1 - double{At(cosine, static_cast<float>(row))}; });
     means_.push_back(static_cast<float>(1 - missing));
 
     // Directions are drawn by straight lines in the square of the cosine instead.
@@ -189,6 +212,19 @@ float EnergyTable::Mean(float row) const {
   const Place y(row, rows_);
   const float* here = &means_[static_cast<size_t>(y.index)];
   return y.fraction == 0 ? here[0] : Blend(here[0], here[1], y.fraction);
+}
+
+float EnergyTable::MeanOfProduct(const EnergyTable& first, int first_row, int rows,
+                                 const EnergyTable& second, int second_row) {
+  return static_cast<float>(CosineMean([&](float cosine) {
+    double sum = 0, weights = 0;
+    for (int i = 0; i < rows; ++i) {
+      const double weight = i == 0 || i + 1 == rows ? 0.5 : 1;
+      sum += weight * double{first.At(cosine, static_cast<float>(first_row + i))};
+      weights += weight;
+    }
+    return sum / weights * double{second.At(cosine, static_cast<float>(second_row))};
+  }));
 }
 
 float EnergyTable::MissingAt(int column, float row) const {

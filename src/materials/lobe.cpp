@@ -4,6 +4,8 @@
 #include "materials/dielectric_lobe.h"
 #include "materials/diffuse_lobes.h"
 #include "materials/plastic_lobe.h"
+#include "materials/principled_lobe.h"
+#include "materials/retroreflector_lobe.h"
 #include "sampling/warp.h"
 
 namespace candela {
@@ -41,6 +43,10 @@ Spectrum EvalLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
       return EvalDielectric(lobe, wo, wi);
     case LobeKind::kPlastic:
       return EvalPlastic(lobe, wo, wi);
+    case LobeKind::kRetroreflector:
+      return EvalRetroreflector(lobe, wo, wi);
+    case LobeKind::kPrincipled:
+      return EvalPrincipled(lobe, wo, wi);
     case LobeKind::kMirror:
     case LobeKind::kSmoothConductor:
     case LobeKind::kSmoothDielectric:
@@ -66,6 +72,10 @@ float LobePdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
       return DielectricPdf(lobe, wo, wi);
     case LobeKind::kPlastic:
       return PlasticPdf(lobe, wo, wi);
+    case LobeKind::kRetroreflector:
+      return RetroreflectorPdf(lobe, wo, wi);
+    case LobeKind::kPrincipled:
+      return PrincipledPdf(lobe, wo, wi);
     case LobeKind::kMirror:
     case LobeKind::kSmoothConductor:
     case LobeKind::kSmoothDielectric:
@@ -74,6 +84,13 @@ float LobePdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
       break;
   }
   return 0;
+}
+
+LobeValue EvalLobeWithPdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
+  if (lobe.kind == LobeKind::kPrincipled) {
+    return IsLit(lobe, wo, wi) ? EvalPrincipledWithPdf(lobe, wo, wi) : LobeValue{{}, 0};
+  }
+  return {EvalLobe(lobe, wo, wi), LobePdf(lobe, wo, wi)};
 }
 
 LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u) {
@@ -100,6 +117,10 @@ LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u) {
       return SamplePlastic(lobe, wo, u);
     case LobeKind::kHole:
       return SampleSingle(lobe, -wo);
+    case LobeKind::kRetroreflector:
+      return SampleRetroreflector(lobe, wo, u);
+    case LobeKind::kPrincipled:
+      return SamplePrincipled(lobe, wo, u);
   }
   return {};
 }

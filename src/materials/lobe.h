@@ -10,6 +10,7 @@
 namespace candela {
 
 class EnergyTable;
+class PrincipledLayers;
 
 /// What a surface can do with light: a closed list, since transport dispatches on it.
 enum class LobeKind : uint8_t {
@@ -24,6 +25,8 @@ enum class LobeKind : uint8_t {
   kPane,              ///< A thin sheet of polished glass, which shifts nothing.
   kPlastic,           ///< A diffuse base under a polished or rough coat of dielectric.
   kHole,              ///< Nothing is there: light goes on as it came.
+  kRetroreflector,    ///< Sends light back to where it came from.
+  kPrincipled,        ///< Metal and a coated ground, finely mixed, under a coat, under fuzz.
 };
 
 struct OrenNayarParams {
@@ -65,9 +68,25 @@ struct PlasticParams {
   float table_row;
 };
 
+struct PrincipledParams {
+  const PrincipledLayers* layers;
+  Ggx surface;            ///< Of metal and dielectric.
+  Rgb specular;           ///< Multiplies what the dielectric mirrors; each from 0 to 1.
+  Rgb sheen;              ///< The colour of the fuzz; each from 0 to 1.
+  float metallic;         ///< The share of metal.
+  float coat;             ///< The share that is coated,
+  float coat_alpha;       ///< the roughness of the coat,
+  float sheen_roughness;  ///< and of the fuzz.
+  float row, coat_row;    ///< Of their tables.
+  /// Of light from everywhere what the coat reflects, and what more the dielectric below it would,
+  /// if `specular` was 1.
+  float mean_coat, mean_dielectric;
+};
+
 /// One part of what a surface does with light: `kind` says which of the structures counts. The
-/// weight is the albedo of diffuse ones, of the base of plastic and of the mirror, and multiplies
-/// what others do.
+/// weight is the albedo of diffuse ones, of the base of plastic and of the mirror, the base colour
+/// of `kPrincipled`, and what a dielectric leaves of light that goes through; it multiplies what
+/// others do.
 struct Lobe {
   LobeKind kind;
   float pick;  ///< How often it is drawn, in relation to that of the other lobes; not negative.
@@ -82,6 +101,7 @@ struct Lobe {
     DielectricParams dielectric;
     PaneParams pane;
     PlasticParams plastic;
+    PrincipledParams principled;
   };
 
   Lobe() : Lobe(LobeKind::kLambert, 1, Spectrum()) {}
@@ -117,6 +137,12 @@ struct LobeSample {
 
 Spectrum EvalLobe(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
 float LobePdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
+/// Both, in less time where they have a part in common.
+struct LobeValue {
+  Spectrum value;
+  float pdf;
+};
+LobeValue EvalLobeWithPdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
 LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u);
 
 /// The direction in which a mirror in the plane z = 0 throws light.

@@ -11,7 +11,9 @@
 #include "materials/one_sided.h"
 #include "materials/phong.h"
 #include "materials/plastic.h"
+#include "materials/principled.h"
 #include "materials/relief.h"
+#include "materials/retroreflective.h"
 #include "scene_spec/registry.h"
 
 namespace candela {
@@ -27,6 +29,11 @@ constexpr MaterialEntry kMaterials[] = {
     {"plastic", &PlasticMaterial::Create, "type plastic albedo 0.8 0.2 0.1 roughness 0.4"},
     {"mix", &MixMaterial::Create, "type mix first iron second clay amount 0.3"},
     {"mask", &MaskMaterial::Create, "type mask material clay opacity 0.6"},
+    {"retroreflective", &RetroreflectiveMaterial::Create,
+     "type retroreflective albedo 0.9 0.5 0.1 amount 0.6 roughness 0.4"},
+    {"principled", &PrincipledMaterial::Create,
+     "type principled base_color 0.7 0.3 0.1 metallic 0.3 roughness 0.5 clearcoat 0.5 "
+     "clearcoat_roughness 0.3 sheen 0.5 anisotropy 0.4"},
 };
 
 }  // namespace

@@ -1,29 +1,13 @@
 #include "materials/relief.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "textures/texture.h"
+#include "textures/texture_input.h"
 
 namespace candela {
-namespace {
-
-/// The texture that a parameter names, which takes nothing else; null when it is missing or wrong.
-std::shared_ptr<const Texture> MapOf(ParamReader* params, std::string_view name,
-                                     const MaterialContext& context) {
-  if (!params->Has(name)) return nullptr;
-  if (!params->IsTexture(name)) {
-    params->Error(params->Where(name), fmt::format("'{}' expects a texture", name));
-    return nullptr;
-  }
-  const ParamWord* word = params->TextureName(name);
-  return word ? context.find_texture(word->text, word->where) : nullptr;
-}
-
-}  // namespace
 
 ReliefMaterial::ReliefMaterial(std::unique_ptr<Material> material,
                                std::shared_ptr<const Texture> texture, Map map, float height)
@@ -32,8 +16,8 @@ ReliefMaterial::ReliefMaterial(std::unique_ptr<Material> material,
 std::unique_ptr<Material> ReliefMaterial::Applied(std::unique_ptr<Material> material,
                                                   ParamReader* params,
                                                   const MaterialContext& context) {
-  auto normals = MapOf(params, "normal_map", context);
-  auto heights = MapOf(params, "bump_map", context);
+  auto normals = TextureParam(params, "normal_map", context);
+  auto heights = TextureParam(params, "bump_map", context);
   const bool has_heights = params->Has("bump_map");
   const float height = has_heights ? params->Number("bump_height", 1) : 0;
   if (has_heights && params->Has("normal_map")) {
@@ -66,6 +50,7 @@ Vec3 ReliefMaterial::NormalOfHeights(const SurfacePoint& point) const {
   const auto height = [&](float du, float dv) {
     SurfacePoint moved = point;
     moved.uv = point.uv + Vec2{du, dv};
+    moved.p = point.p + point.dpdu * du + point.dpdv * dv;
     const Rgb c = texture_->Lookup(moved);
     return height_ * (c.x + c.y + c.z) / 3;
   };

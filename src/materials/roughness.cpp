@@ -1,12 +1,14 @@
 #include "materials/roughness.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace candela {
 
-Roughness Roughness::Create(ParamReader* params, const MaterialContext& context) {
+Roughness Roughness::Create(ParamReader* params, const MaterialContext& context,
+                            std::string_view name, float default_value) {
   Roughness roughness;
-  roughness.input_ = NumberInput::Fraction(params, "roughness", 0, context);
+  roughness.input_ = NumberInput::Fraction(params, name, default_value, context);
   roughness.alpha_ = roughness.input_.value() * roughness.input_.value();
   return roughness;
 }
@@ -31,8 +33,9 @@ float Roughness::AlphaAt(const SurfacePoint& point) const {
 
 EnergyTable Roughness::MakeTable(const EnergyTable::Facet& facet,
                                  EnergyTable::Detail detail) const {
-  return input_.IsTextured() ? EnergyTable::OfAllRoughness(facet, detail)
-                             : EnergyTable::OfRoughness(alpha_, facet, detail);
+  return input_.IsTextured()
+             ? EnergyTable::OfAllRoughness(facet, detail)
+             : EnergyTable::OfRoughness(std::max(alpha_, kSmoothestAlpha), facet, detail);
 }
 
 float Roughness::TableRow(float alpha) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "materials/energy_table.h"
 #include "materials/material_context.h"
@@ -8,11 +9,12 @@
 
 namespace candela {
 
-/// How rough a surface is, by number or by texture: the parameter `roughness`, whose square is the
-/// alpha of `Ggx`.
+/// How rough a surface is, by number or by texture: a parameter, mostly `roughness`, whose square
+/// is the alpha of `Ggx`.
 class Roughness {
  public:
-  static Roughness Create(ParamReader* params, const MaterialContext& context);
+  static Roughness Create(ParamReader* params, const MaterialContext& context,
+                          std::string_view name = "roughness", float default_value = 0);
   static Roughness OfAlpha(float alpha);
   static Roughness OfTexture(std::shared_ptr<const Texture> texture);
 
@@ -25,6 +27,7 @@ class Roughness {
                         EnergyTable::Detail detail = EnergyTable::Detail::kSmooth) const;
   float TableRow(float alpha) const;
 
+  bool IsTextured() const { return input_.IsTextured(); }
   bool NeedsTextureCoordinates() const { return input_.NeedsTextureCoordinates(); }
 
  private:

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "math/mat4.h"
 #include "math/vec.h"
 
@@ -27,6 +30,20 @@ class Transform {
   /// Multiplies by the transpose of the linear part. A normal goes from object to world by the
   /// inverse transpose, so: `n_world = object_from_world.TransposedVector(n_object)`, to normalise.
   Vec3 TransposedVector(Vec3 v) const { return {Dot(x_, v), Dot(y_, v), Dot(z_, v)}; }
+
+  /// Where a normal goes to, as a vector of any length: multiplies by the inverse transpose, but
+  /// for a positive factor.
+  Vec3 Normal(Vec3 n) const {
+    if (is_translation_) return n;
+    const Vec3 image = Cross(y_, z_) * n.x + Cross(z_, x_) * n.y + Cross(x_, y_) * n.z;
+    return Dot(Cross(x_, y_), z_) < 0 ? -image : image;
+  }
+
+  /// How much longer a vector along one of the axes gets at most.
+  float LargestStretch() const {
+    if (is_translation_) return 1;
+    return std::sqrt(std::max(LengthSquared(x_), std::max(LengthSquared(y_), LengthSquared(z_))));
+  }
 
  private:
   Vec3 x_{1, 0, 0}, y_{0, 1, 0}, z_{0, 0, 1};  // columns: images of the axes

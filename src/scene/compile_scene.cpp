@@ -168,6 +168,7 @@ class SceneCompiler {
                                 DescriptionOf(spec)});
     const Material* made_of = materials_->At(*material);
     SceneObject& object = scene_->objects_.back();
+    object.node_from_world = object.object_from_world;
     object.is_textured = made_of && made_of->NeedsTextureCoordinates();
     object.has_holes = made_of && made_of->HasHoles();
     scene_->has_holes_ |= object.has_holes;

@@ -14,6 +14,7 @@ SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   if (object.is_textured) {
     object.shape->AddTextureCoordinates(hit, &local);
     point.uv = local.uv;
+    point.object_from_world = &object.node_from_world;
   }
   return point;
 }
@@ -21,7 +22,10 @@ SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
 SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
   SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  if (object.is_textured) object.shape->AddTextureCoordinates(hit, &point);
+  if (object.is_textured) {
+    object.shape->AddTextureCoordinates(hit, &point);
+    point.object_from_world = &object.node_from_world;
+  }
   const bool is_flat = point.n_shading == point.n_geometric;
   if (object.is_baked) {
     if (!is_flat) point.n_shading = NormalizeAnyLength(point.n_shading);

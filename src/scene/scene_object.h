@@ -27,6 +27,7 @@ struct SceneObject {
   uint32_t interior = kNoInterior;  ///< What light gets into, in the scene's list.
   bool has_holes = false;           ///< The material lets light through as if nothing were there.
   bool is_baked = false;            ///< It consists of triangles that lie in the world.
+  Transform node_from_world{};      ///< Also of what is baked: where its texture fills space.
 
   /// The ray as the shape gets it for `Intersect` and `SurfaceAt`. Where it ends says the record of
   /// the hit, and whom it sees has been decided; leaving that out saves copies that would have to

@@ -205,6 +205,48 @@ float ParamReader::FullAngle(std::string_view name, float default_value) {
   return Noted(name, OneNumber(name, false, rule).value_or(default_value));
 }
 
+int64_t ParamReader::Integer(std::string_view name, int64_t default_value, int64_t least,
+                             int64_t most) {
+  const auto number = ReadEach(name, false, [&](const Param& param) -> std::optional<int64_t> {
+    const std::string expected = fmt::format("a whole number from {} to {}", least, most);
+    if (param.words.empty()) {
+      Error(param.where, WrongCount(name, expected, 0));
+      return std::nullopt;
+    }
+    const ParamWord& word = param.words[0];
+    const std::optional<int64_t> value = ParseInteger(word.text);
+    if (!value || *value < least || *value > most) {
+      Error(word.where, WrongWord(name, expected, word.text));
+      return std::nullopt;
+    }
+    if (param.words.size() > 1) {
+      Error(param.words[1].where, WrongCount(name, expected, param.words.size()));
+    }
+    return value;
+  });
+  const int64_t value = number.value_or(default_value);
+  if (resolved_) Note(name, {{fmt::format("{}", value), where_}});
+  return value;
+}
+
+std::vector<float> ParamReader::RequiredNumberGroups(std::string_view name, size_t group_size,
+                                                     const char* expected) {
+  const auto numbers = ReadEach(name, true, [&](const Param& param) {
+    std::vector<float> values(param.words.size());
+    if (!ReadNumbers(param, {expected, IsAny}, values)) return std::vector<float>();
+    if (values.empty() || values.size() % group_size != 0) {
+      Error(Where(name), WrongCount(name, expected, values.size()));
+      return std::vector<float>();
+    }
+    return values;
+  });
+  if (!resolved_) return numbers;
+  std::vector<ParamWord> words;
+  for (const float each : numbers) words.push_back({fmt::format("{}", each), where_});
+  Note(name, std::move(words));
+  return numbers;
+}
+
 Vec2 ParamReader::Pair(std::string_view name, Vec2 default_value) {
   const auto value = ReadEach(name, false, [&](const Param& param) -> std::optional<Vec2> {
     std::array<float, 2> v;
@@ -337,6 +379,12 @@ const ParamWord* ParamReader::TextureName(std::string_view name) {
 bool ParamReader::Has(std::string_view name) {
   if (!IsOneOf(known_, name)) known_.push_back(name);
   return params_.Find(name) != nullptr;
+}
+
+bool ParamReader::HasRequired(std::string_view name) {
+  const bool has = Has(name);
+  if (!has && !IsOneOf(missing_, name)) missing_.push_back(name);
+  return has;
 }
 
 SourceLocation ParamReader::Where(std::string_view name) const {

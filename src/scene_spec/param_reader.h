@@ -52,6 +52,14 @@ class ParamReader {
   /// Nothing when it is missing or wrong.
   std::optional<int64_t> RequiredInteger(std::string_view name);
 
+  /// A whole number from `least` to `most`.
+  int64_t Integer(std::string_view name, int64_t default_value, int64_t least, int64_t most);
+
+  /// Groups of so many numbers, at least one, behind each other; empty when it is missing or wrong.
+  /// `expected` is what a message says that the parameter expects.
+  std::vector<float> RequiredNumberGroups(std::string_view name, size_t group_size,
+                                          const char* expected);
+
   Vec2 Pair(std::string_view name, Vec2 default_value);
   Vec3 Vector(std::string_view name, Vec3 default_value);
   Vec3 RequiredVector(std::string_view name);
@@ -86,6 +94,8 @@ class ParamReader {
   const ParamWord* TextureName(std::string_view name);
 
   bool Has(std::string_view name);
+  /// The same of a parameter that has to be there.
+  bool HasRequired(std::string_view name);
   /// The place of the parameter's value, or of the object when it is missing.
   SourceLocation Where(std::string_view name) const;
 

@@ -12,8 +12,8 @@ class Texture {
  public:
   virtual ~Texture() = default;
 
-  /// The colour at a point whose texture coordinates are set. Finite for all points. Where the
-  /// point knows its footprint, the mean over about that width.
+  /// The colour at a point whose texture coordinates and way to object space are set. Finite for
+  /// all points. Where the point knows its footprint, the mean over about that width.
   virtual Rgb Lookup(const SurfacePoint& point) const = 0;
 
   /// False when the colour is the same everywhere.

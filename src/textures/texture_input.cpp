@@ -1,5 +1,7 @@
 #include "textures/texture_input.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -17,6 +19,14 @@ std::shared_ptr<const Texture> TextureOf(ParamReader* params, std::string_view n
 }
 
 }  // namespace
+
+std::shared_ptr<const Texture> TextureParam(ParamReader* params, std::string_view name,
+                                            const TextureContext& context) {
+  if (!params->Has(name)) return nullptr;
+  if (params->IsTexture(name)) return TextureOf(params, name, context);
+  params->Error(params->Where(name), fmt::format("'{}' expects a texture", name));
+  return nullptr;
+}
 
 ColorInput::ColorInput(std::shared_ptr<const Texture> texture, Rgb least, Rgb most)
     : texture_(std::move(texture)), least_(least), most_(most) {}

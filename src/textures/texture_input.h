@@ -9,6 +9,11 @@
 
 namespace candela {
 
+/// The texture that a parameter names, which takes nothing else; null when it is missing, or wrong,
+/// which is reported.
+std::shared_ptr<const Texture> TextureParam(ParamReader* params, std::string_view name,
+                                            const TextureContext& context);
+
 /// A colour as parameters have it: the same everywhere, or a texture's.
 class ColorInput {
  public:

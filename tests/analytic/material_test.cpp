@@ -68,8 +68,12 @@ TEST(WhiteBall, OfARoughMaterialIsInvisibleInTheFurnace) {
     };
     expect_invisible("type conductor eta 0 0 0 k 3 3 3", 64);
     expect_invisible("type plastic albedo 1 1 1", 64);
+    expect_invisible("type principled base_color 1 1 1", 64);
+    expect_invisible("type principled base_color 1 1 1 metallic 0.5", 64);
+    expect_invisible("type retroreflective albedo 1 1 1", 64);
     // Light that is caught inside for long comes out in few and bright paths.
     expect_invisible("type dielectric ior glass", 256);
+    expect_invisible("type principled base_color 1 1 1 transmission 0.9", 256);
   }
   ExpectInvisible("Material { name ball type conductor eta 0 0 0 k 3 3 3 alpha_x 0.6 alpha_y 0.1 }",
                   5e-3);

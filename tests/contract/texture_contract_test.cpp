@@ -27,13 +27,17 @@ class EveryTexture : public testing::TestWithParam<TextureEntry> {
   /// A scene whose only material is as bright as the texture.
   EveryTexture()
       : scene_(testing_support::CompileText(
-            fmt::format("{}Textures {{ Texture {{ name t {} }} }}\n"
-                        "Materials {{ Material {{ diffuse texture t }} }} Scene {{ }}",
-                        testing_support::kCamera, GetParam().example),
+            fmt::format(
+                "{}Textures {{ Texture {{ name squares type checker odd 0.2 0.2 0.2 scale 3 3 }}\n"
+                "Texture {{ name t {} }} }}\n"
+                "Materials {{ Material {{ diffuse texture t }} }} Scene {{ }}",
+                testing_support::kCamera, GetParam().example),
             contract::kExampleFolder)) {}
 
   Rgb Lookup(Vec2 uv, float footprint = 0) const {
     SurfacePoint point;
+    point.p = {uv.x, uv.y, uv.x - uv.y};
+    point.n_geometric = point.n_shading = {0.6f, 0, 0.8f};
     point.uv = uv;
     point.dpdu = {1, 0, 0};
     point.dpdv = {0, 1, 0};
@@ -65,6 +69,18 @@ TEST_P(EveryTexture, IsFiniteEverywhere) {
   }
 }
 
+// Examples have colours from 0 to 1; nothing that is computed from them lies beyond.
+TEST_P(EveryTexture, StaysWithinTheRangeOfItsColours) {
+  for (int i = 0; i < 10000; ++i) {
+    const auto x = static_cast<float>(i);
+    const Rgb colour = Lookup({x * 0.037f - 10, 3 - x * 0.011f}, x * 0.0001f);
+    for (int c = 0; c < 3; ++c) {
+      ASSERT_GE(colour[c], -1e-6f);
+      ASSERT_LE(colour[c], 1 + 1e-6f);
+    }
+  }
+}
+
 TEST_P(EveryTexture, StandsWhereAColourMay) {
   EXPECT_GT(LengthSquared(Lookup({0.3f, 0.6f})), 0);
 }
@@ -78,15 +94,25 @@ TEST_P(EveryTexture, SaysWhetherItNeedsCoordinates) {
   EXPECT_EQ(scene_->materials()[0]->NeedsTextureCoordinates(), is_varied);
 }
 
-/// What makes a texture of a type one colour: 0.2 0.4 0.6.
+/// What makes a texture of a type one colour.
 struct FlatTexture {
   std::string_view type;
   const char* params;
+  Rgb color{0.2f, 0.4f, 0.6f};
 };
 constexpr FlatTexture kFlatTextures[] = {
     {"constant", "color 0.2 0.4 0.6"},
     {"checker", "even 0.2 0.4 0.6 odd 0.2 0.4 0.6 scale 3 3"},
     {"image", "file flat.pfm scale 2 3 rotation 20"},
+    {"noise", "low 0.2 0.4 0.6 high 0.2 0.4 0.6 octaves 3"},
+    {"turbulence", "low 0.2 0.4 0.6 high 0.2 0.4 0.6 scale 2 3 4"},
+    {"marble", "low 0.2 0.4 0.6 high 0.2 0.4 0.6"},
+    {"wood", "low 0.2 0.4 0.6 high 0.2 0.4 0.6"},
+    {"voronoi", "low 0.2 0.4 0.6 high 0.2 0.4 0.6 feature cells"},
+    {"ramp", "stops 0 0.2 0.4 0.6 1 0.2 0.4 0.6 wrap repeat"},
+    {"uv", "scale 0 0 offset 0.2 0.4", {0.2f, 0.4f, 0}},
+    {"mix", "first 0.2 0.4 0.6 second texture flat amount texture flat"},
+    {"triplanar", "input texture flat"},
 };
 
 // Constant in gives constant out: nothing is lost or gained between texels and squares.
@@ -102,16 +128,15 @@ TEST_P(EveryTexture, OfOneColourShowsThatColourEverywhere) {
   }
   testing_support::Put(folder / "flat.pfm", *EncodeImage(image, ImageFormat::kPfm));
   scene_ = testing_support::CompileText(
-      fmt::format("{}Textures {{ Texture {{ name t type {} {} }} }}\n"
+      fmt::format("{}Textures {{ Texture {{ name flat type image file flat.pfm }}\n"
+                  "Texture {{ name t type {} {} }} }}\n"
                   "Materials {{ Material {{ diffuse texture t }} }} Scene {{ }}",
                   testing_support::kCamera, flat->type, flat->params),
       folder.path());
   for (int i = 0; i < 1000; ++i) {
     const auto x = static_cast<float>(i);
     const Rgb colour = Lookup({x * 0.037f - 10, 3 - x * 0.011f}, x * 0.002f);
-    EXPECT_NEAR(colour.x, 0.2f, 1e-6f);
-    EXPECT_NEAR(colour.y, 0.4f, 1e-6f);
-    EXPECT_NEAR(colour.z, 0.6f, 1e-6f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(colour[c], flat->color[c], 1e-6f);
   }
 }
 

@@ -30,6 +30,10 @@ const char* kMaterials =
     "Material { name net type mask material clay opacity 0.6 }\n"
     "Material { name one_sided type diffuse albedo 0.3 0.7 0.4 two_sided false }\n"
     "Material { name one_sided_net type mask material plastic opacity 0.5 two_sided false }\n"
+    "Material { name layered type principled base_color 0.7 0.4 0.2 metallic 0.3 roughness 0.5 "
+    "clearcoat 0.8 clearcoat_roughness 0.3 sheen 0.6 anisotropy 0.4 }\n"
+    "Material { name wax type principled base_color 0.8 0.6 0.4 transmission 0.6 roughness 0.5 }\n"
+    "Material { name vest type retroreflective albedo 0.8 0.4 0.1 roughness 0.5 }\n"
     "}\n";
 
 /// A node with an object, and what else it holds.
@@ -120,6 +124,8 @@ std::vector<NamedScene> Scenes() {
                              mesh, "radiance 2 3 3"))},
       {"environment", 18, Scene(Corner() + Ball("gold"), kSky)},
       {"even_sky", 8, Scene(Corner() + Ball("plastic"), kEvenSky)},
+      {"layers_under_a_lamp", 2, Scene(Corner("vest") + Ball("layered") + RectangleLamp())},
+      {"wax_under_a_lamp", 10, Scene(Corner() + Ball("wax") + RectangleLamp())},
       {"glass", 2, Scene(Corner() + Ball("glass") + RectangleLamp())},
       {"absorbing_glass_under_a_sky", 8, Scene(Corner() + Ball("amber"), kEvenSky)},
       {"ground_glass", 10, Scene(Corner() + Ball("ground") + RectangleLamp())},

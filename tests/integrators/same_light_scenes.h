@@ -14,7 +14,7 @@ struct NamedScene {
   std::string text;
 };
 
-/// Each kind of light, material and camera in one at least.
+/// Each kind of light, material and camera is in one at least.
 std::vector<NamedScene> Scenes();
 
 inline void PrintTo(const NamedScene& scene, std::ostream* out) {

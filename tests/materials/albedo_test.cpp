@@ -59,6 +59,34 @@ std::vector<Family> WhiteFamilies() {
          const PhongTerms terms{{}, {0.5f, 0.5f, 0.5f}, {0.5f, 0.5f, 0.5f}, 2 / (r * r)};
          return std::make_unique<PhongMaterial>(terms, true);
        }},
+      {"WhiteRetroreflective",
+       [=](float r) {
+         return std::make_unique<RetroreflectiveMaterial>(white, white, 0.5f,
+                                                          Roughness::OfAlpha(r * r));
+       }},
+      {"WhitePrincipled",
+       [=](float r) {
+         PrincipledMaterial::Inputs inputs = test::AllLayers(r);
+         inputs.base_color = white;
+         inputs.clearcoat = inputs.specular = inputs.sheen = 1;
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
+       }},
+      {"WhiteCoatedPrincipled",
+       [=](float r) {
+         PrincipledMaterial::Inputs inputs;
+         inputs.base_color = white;
+         inputs.clearcoat = 1;
+         inputs.clearcoat_roughness = Roughness::OfAlpha(r * r);
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
+       }},
+      {"WhiteSheenPrincipled",
+       [=](float r) {
+         PrincipledMaterial::Inputs inputs;
+         inputs.base_color = white;
+         inputs.sheen = 1;
+         inputs.sheen_roughness = r;
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
+       }},
       {"GlassOfTexturedRoughness",
        [](float r) {
          auto roughness = std::make_shared<ConstantTexture>(Rgb{r, r, r});

@@ -12,7 +12,10 @@
 #include "materials/pane.h"
 #include "materials/phong.h"
 #include "materials/plastic.h"
+#include "materials/principled.h"
+#include "materials/retroreflective.h"
 #include "tests/materials/scatter.h"
+#include "textures/constant_texture.h"
 
 namespace candela {
 namespace {
@@ -99,6 +102,105 @@ TEST(WhiteFurnace, WhitePlasticLosesNothing) {
   }
 }
 
+/// White, with a roughness whose square is `alpha`.
+PrincipledMaterial::Inputs WhitePrincipled(float alpha) {
+  PrincipledMaterial::Inputs inputs;
+  inputs.base_color = Rgb{1, 1, 1};
+  inputs.roughness = Roughness::OfAlpha(alpha);
+  return inputs;
+}
+
+// P4
+TEST(WhiteFurnace, PrincipledLosesNothingBetweenPlasticAndMetal) {
+  for (const float alpha : kAlphas) {
+    for (const float metallic : {0.0f, 0.3f, 1.0f}) {
+      for (const float specular : {0.0f, 0.5f, 1.0f}) {
+        SCOPED_TRACE(testing::Message() << alpha << ", metal " << metallic << ", " << specular);
+        PrincipledMaterial::Inputs inputs = WhitePrincipled(alpha);
+        inputs.metallic = metallic;
+        inputs.specular = specular;
+        ExpectWhite(PrincipledMaterial(inputs), 2e-3);
+      }
+    }
+  }
+}
+
+// P4
+TEST(WhiteFurnace, BrushedPrincipledLosesNothing) {
+  for (const float metallic : {0.0f, 1.0f}) {
+    PrincipledMaterial::Inputs inputs = WhitePrincipled(0.25f);
+    inputs.metallic = metallic;
+    inputs.anisotropy = 0.8f;
+    inputs.rotation_degrees = 30;
+    ExpectWhite(PrincipledMaterial(inputs), 2e-3);
+  }
+}
+
+// P4
+TEST(WhiteFurnace, TransmissivePrincipledLosesNothingFromEitherSide) {
+  for (const float transmission : {0.4f, 1.0f}) {
+    PrincipledMaterial::Inputs inputs = WhitePrincipled(0.25f);
+    inputs.transmission = transmission;
+    inputs.metallic = 0.2f;
+    ExpectWhite(PrincipledMaterial(inputs), 3e-3, true);
+    ExpectWhite(PrincipledMaterial(inputs), 3e-3, false);
+  }
+}
+
+// P4
+TEST(WhiteFurnace, RetroreflectorLosesNothing) {
+  for (const float alpha : kAlphas) {
+    ExpectWhite(RetroreflectiveMaterial(Rgb{1, 1, 1}, Rgb{1, 1, 1}, 1, Roughness::OfAlpha(alpha)),
+                2e-3);
+  }
+}
+
+/// The least of what a material gives back at any angle.
+double LeastAlbedo(const Material& material) {
+  UniformNumbers random(17);
+  const Bsdf bsdf = BsdfOf(material, kNormal);
+  double least = 1;
+  for (const double degrees : kIncidences) {
+    const Albedo albedo = AlbedoOf(bsdf, DirectionAt(bsdf.frame, degrees), 20000, &random);
+    for (const double mean : albedo.mean) least = std::min(least, mean);
+    EXPECT_LE(albedo.mean[0], 1 + 2e-3 + kLargestDeviate * albedo.error[0]) << degrees;
+  }
+  return least;
+}
+
+// What is mirrored below a coat or fuzz is scaled by the lesser of what these let through: a
+// part of it is lost, and none of what a polished metal mirrors.
+TEST(Principled, LosesLittleBelowACoatAndMoreBelowFuzz) {
+  PrincipledMaterial::Inputs coated = WhitePrincipled(0.25f);
+  coated.clearcoat = 1;
+  EXPECT_GT(LeastAlbedo(PrincipledMaterial(coated)), 0.97);
+
+  PrincipledMaterial::Inputs metal = WhitePrincipled(0);
+  metal.metallic = metal.clearcoat = 1;
+  EXPECT_GT(LeastAlbedo(PrincipledMaterial(metal)), 0.99);
+
+  PrincipledMaterial::Inputs fuzzy = WhitePrincipled(0.25f);
+  fuzzy.sheen = 1;
+  EXPECT_GT(LeastAlbedo(PrincipledMaterial(fuzzy)), 0.85);
+}
+
+// P5: where textures say how rough and how brushed it is, the tables are those of all roughnesses.
+TEST(Principled, OfTexturesMakesNoLightAndLosesLittle) {
+  const auto texture = [](float value) {
+    return std::make_shared<ConstantTexture>(Rgb{value, value, value});
+  };
+  for (const float roughness : {0.37f, 0.83f}) {
+    PrincipledMaterial::Inputs inputs = WhitePrincipled(0);
+    inputs.roughness = Roughness::OfTexture(texture(roughness));
+    inputs.clearcoat = 0.7f;
+    inputs.clearcoat_roughness = Roughness::OfTexture(texture(0.35f));
+    EXPECT_GT(LeastAlbedo(PrincipledMaterial(inputs)), 0.97) << roughness;
+    inputs.anisotropy = NumberInput(texture(0.7f));
+    inputs.metallic = 0.5f;
+    EXPECT_GT(LeastAlbedo(PrincipledMaterial(inputs)), 0.8) << roughness;
+  }
+}
+
 /// What a white metal gives back after one bounce, by a fine grid of the facets that `wo` sees.
 double OneBounceAlbedo(float alpha, Vec3 wo) {
   constexpr int kSteps = 1000;
@@ -149,6 +251,14 @@ TEST(RoughMetal, TableOfAllRoughnessesAgreesWithThoseOfEach) {
       EXPECT_NEAR(all.At(cosine, row), one.At(cosine, 0), 3e-3) << roughness << " at " << cosine;
     }
   }
+}
+
+TEST(BrushedMetal, HasARowForEachAzimuthFoundInEitherWay) {
+  for (int degrees = 0; degrees < 360; ++degrees) {
+    const Vec3 w = DirectionAt(Frame(), 60, degrees + 0.3);
+    EXPECT_NEAR(EnergyTable::NearRowOfAzimuth(w), EnergyTable::RowOfAzimuth(w), 2e-4f) << degrees;
+  }
+  EXPECT_EQ(EnergyTable::NearRowOfAzimuth({0, 0, 1}), 0);
 }
 
 // CF33: (n + 2) / 2 pi is the factor with which the lobe head-on gives back its weight, for any n.

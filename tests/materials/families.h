@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "materials/conductor.h"
@@ -11,6 +12,8 @@
 #include "materials/material.h"
 #include "materials/phong.h"
 #include "materials/plastic.h"
+#include "materials/principled.h"
+#include "materials/retroreflective.h"
 
 namespace candela::test {
 
@@ -20,6 +23,22 @@ struct Family {
   std::function<std::unique_ptr<Material>(float roughness)> create;
   bool is_outside = true;
 };
+
+/// A `principled` material with something of everything opaque.
+inline PrincipledMaterial::Inputs AllLayers(float roughness) {
+  PrincipledMaterial::Inputs inputs;
+  inputs.base_color = Rgb{0.7f, 0.4f, 0.1f};
+  inputs.metallic = 0.4f;
+  inputs.roughness = Roughness::OfAlpha(roughness * roughness);
+  inputs.specular = 0.8f;
+  inputs.specular_tint = 0.5f;
+  inputs.clearcoat = 0.6f;
+  inputs.clearcoat_roughness = Roughness::OfAlpha(0.09f);
+  inputs.sheen = 0.5f;
+  inputs.sheen_tint = 0.5f;
+  inputs.sheen_roughness = 0.4f;
+  return inputs;
+}
 
 inline std::vector<Family> Families() {
   const Rgb eta{0.14f, 0.37f, 1.44f}, k{3.98f, 2.39f, 1.6f};
@@ -54,6 +73,33 @@ inline std::vector<Family> Families() {
       {"PolishedPlastic",
        [](float) {
          return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f, Roughness());
+       }},
+      {"Retroreflective",
+       [](float r) {
+         return std::make_unique<RetroreflectiveMaterial>(Rgb{0.7f, 0.4f, 0.1f}, Rgb{0.9f, 0.9f, 1},
+                                                          0.6f, Roughness::OfAlpha(r * r));
+       }},
+      {"Principled",
+       [](float r) {
+         PrincipledMaterial::Inputs inputs;
+         inputs.base_color = Rgb{0.7f, 0.4f, 0.1f};
+         inputs.roughness = Roughness::OfAlpha(r * r);
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
+       }},
+      {"PrincipledOfAllLayers",
+       [](float r) { return std::make_unique<PrincipledMaterial>(AllLayers(r)); }},
+      {"BrushedPrincipled",
+       [](float r) {
+         PrincipledMaterial::Inputs inputs = AllLayers(0.5f);
+         inputs.anisotropy = r;
+         inputs.rotation_degrees = 25;
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
+       }},
+      {"GlassPrincipled",
+       [](float r) {
+         PrincipledMaterial::Inputs inputs = AllLayers(r);
+         inputs.transmission = 0.7f;
+         return std::make_unique<PrincipledMaterial>(std::move(inputs));
        }},
   };
 }

@@ -1,0 +1,222 @@
+#include "materials/principled_lobe.h"
+
+#include <algorithm>
+
+#include "materials/fresnel.h"
+#include "materials/principled_layers.h"
+#include "math/elementary.h"
+#include "sampling/warp.h"
+
+namespace candela {
+namespace {
+
+constexpr auto kInvPi = static_cast<float>(1 / kPi);
+
+Spectrum White() {
+  return Spectrum(Rgb{1, 1, 1});
+}
+
+// Into the frame of the brushing, and back.
+Vec3 Turned(const PrincipledLayers& layers, const Vec3& w) {
+  const float c = layers.cos_rotation, s = layers.sin_rotation;
+  return {c * w.x + s * w.y, c * w.y - s * w.x, w.z};
+}
+Vec3 TurnedBack(const PrincipledLayers& layers, const Vec3& w) {
+  const float c = layers.cos_rotation, s = layers.sin_rotation;
+  return {c * w.x - s * w.y, s * w.x + c * w.y, w.z};
+}
+
+Ggx CoatSurface(const PrincipledParams& params) {
+  return {params.coat_alpha, params.coat_alpha};
+}
+
+/// What the layers reflect of the light from a direction, each of what it gets. Layers that are not
+/// there reflect nothing.
+struct Shares {
+  float sheen = 0, coat = 0, dielectric = 0, metal = 0;
+};
+
+Shares SharesAt(const PrincipledParams& params, const Vec3& w) {
+  const PrincipledLayers& layers = *params.layers;
+  Shares shares;
+  if (params.sheen != Rgb()) {
+    const float largest = std::max(params.sheen.x, std::max(params.sheen.y, params.sheen.z));
+    shares.sheen = largest * layers.sheen->At(w.z, params.sheen_roughness);
+  }
+  if (params.coat > 0) shares.coat = params.coat * layers.coat->At(w.z, params.coat_row);
+  const float row = layers.RowOf(params.row, w);
+  if (params.metallic < 1) shares.dielectric = layers.dielectric.At(w.z, row);
+  if (params.metallic > 0) shares.metal = layers.metal.At(w.z, row);
+  return shares;
+}
+
+/// What gets to the ground, and for light from everywhere.
+Spectrum LetThrough(const PrincipledParams& params, const Shares& shares) {
+  return (Spectrum(1) - Spectrum(params.specular) * shares.dielectric) * (1 - shares.coat);
+}
+Spectrum MeanLetThrough(const PrincipledParams& params) {
+  return Spectrum(1 - params.mean_coat) - Spectrum(params.specular) * params.mean_dielectric;
+}
+
+/// Schlick, "An Inexpensive BRDF Model for Physically-Based Rendering", 1994.
+Spectrum MetalReflectance(const Spectrum& head_on, float cosine) {
+  const float c = 1 - cosine, c2 = c * c;
+  return head_on + (White() - head_on) * (c2 * c2 * c);
+}
+
+/// What light takes on that met several facets of the metal.
+Spectrum MultipleColour(const Lobe& lobe) {
+  const PrincipledParams& params = lobe.principled;
+  const float mean = params.layers->metal.Mean(params.row);
+  const Spectrum f = lobe.weight * (20.0f / 21) + White() * (1.0f / 21);
+  return f * f * mean / (Spectrum(1) - f * (1 - mean));
+}
+
+float Mirrored(const Ggx& surface, const Vec3& wo, const Vec3& wi, const Vec3& m) {
+  return surface.Density(m) * surface.MaskingAndShadowing(wo, wi) / (4 * wo.z * wi.z);
+}
+
+/// How often each way to draw a direction is taken.
+struct Choices {
+  float sheen, coat, mirrored, multiple, ground;
+};
+
+Choices ChoicesAt(const Lobe& lobe, const Shares& shares) {
+  const PrincipledParams& params = lobe.principled;
+  const float m = params.metallic;
+  const float beneath = (1 - shares.sheen) * (1 - shares.coat);
+  Choices choices{shares.sheen, (1 - shares.sheen) * shares.coat, 0, 0, 0};
+  if (m < 1) {
+    choices.mirrored += (1 - m) * Spectrum(params.specular).MaxComponent() * shares.dielectric;
+    choices.ground = (1 - m) * lobe.weight.MaxComponent() * (1 - shares.sheen) *
+                     LetThrough(params, shares).MaxComponent();
+  }
+  if (m > 0) {
+    const float metal = std::max(lobe.weight.MaxComponent(), 1.0f / 21);
+    choices.mirrored += m * shares.metal * metal;
+    choices.multiple = beneath * m * (1 - shares.metal) * MultipleColour(lobe).MaxComponent();
+  }
+  choices.mirrored *= beneath;
+  const float sum =
+      choices.sheen + choices.coat + choices.mirrored + choices.multiple + choices.ground;
+  const float scale = sum > 0 ? 1 / sum : 0;
+  return {choices.sheen * scale, choices.coat * scale, choices.mirrored * scale,
+          choices.multiple * scale, choices.ground * scale};
+}
+
+// The functions below take directions in the frame of the brushing.
+
+Spectrum Value(const Lobe& lobe, const Vec3& wo, const Shares& at_o, const Vec3& wi) {
+  const PrincipledParams& params = lobe.principled;
+  const PrincipledLayers& layers = *params.layers;
+  const Shares at_i = SharesAt(params, wi);
+  const float m = params.metallic;
+
+  const Vec3 half = wo + wi;
+  const float length = Length(half);
+  const Vec3 facet = half * (1 / length);
+  // Half of the length is the cosine of both to the facet, with the same rounding.
+  const float cosine = std::min(length / 2, 1.0f);
+  float beyond;
+
+  Spectrum reflectance, value;
+  if (m < 1) {
+    reflectance =
+        Spectrum(params.specular) * ((1 - m) * DielectricReflectance(cosine, layers.eta, &beyond));
+    value = lobe.weight * LetThrough(params, at_o) * LetThrough(params, at_i) /
+            MeanLetThrough(params) * ((1 - m) * kInvPi);
+  }
+  const float below_coat = std::min(1 - at_o.coat, 1 - at_i.coat);
+  if (m > 0) {
+    reflectance += MetalReflectance(lobe.weight, cosine) * m;
+    const float mean = layers.metal.Mean(params.row);
+    const float multiple = (1 - at_o.metal) * (1 - at_i.metal) * kInvPi / std::max(1 - mean, 1e-7f);
+    value += MultipleColour(lobe) * (m * multiple * below_coat);
+  }
+  value += reflectance * (below_coat * Mirrored(params.surface, wo, wi, facet));
+  if (params.coat > 0) {
+    value += White() *
+             (params.coat * DielectricReflectance(cosine, PrincipledLayers::kCoatIndex, &beyond) *
+              Mirrored(CoatSurface(params), wo, wi, facet));
+  }
+  if (params.sheen != Rgb()) {
+    value *= Spectrum(std::min(1 - at_o.sheen, 1 - at_i.sheen));
+    value += Spectrum(params.sheen) * layers.sheen->Value(params.sheen_roughness, wo, wi);
+  }
+  return value;
+}
+
+float Density(const Lobe& lobe, const Choices& choices, const Vec3& wo, const Vec3& wi) {
+  const PrincipledParams& params = lobe.principled;
+  const Vec3 m = Normalize(wo + wi);
+  const float per_direction = 1 / (4 * Dot(wo, m));
+  float pdf = choices.ground * CosineHemispherePdf(wi.z) +
+              choices.mirrored * params.surface.VisibleDensity(wo, m) * per_direction;
+  if (choices.coat > 0) {
+    pdf += choices.coat * CoatSurface(params).VisibleDensity(wo, m) * per_direction;
+  }
+  if (choices.multiple > 0) {
+    pdf += choices.multiple * params.layers->metal.MissingPdf(wi.z, params.row);
+  }
+  return pdf + choices.sheen * UniformHemispherePdf();
+}
+
+Vec3 Draw(const Lobe& lobe, const Choices& choices, const Vec3& wo, Vec2 u) {
+  const PrincipledParams& params = lobe.principled;
+  float left = 1;
+  const auto is_chosen = [&](float choice) {
+    if (!(choice > 0)) return false;
+    const bool is_it = SplitChoice(std::min(choice / left, 1.0f), &u.x);
+    left -= choice;
+    return is_it;
+  };
+  if (is_chosen(choices.sheen)) return SampleUniformHemisphere(u);
+  if (is_chosen(choices.multiple)) return params.layers->metal.SampleMissing(params.row, u);
+  const bool is_coat = is_chosen(choices.coat);
+  // The last one takes what rounding has left.
+  if (is_coat || choices.ground == 0 || is_chosen(choices.mirrored)) {
+    const Ggx surface = is_coat ? CoatSurface(params) : params.surface;
+    const Vec3 m = surface.SampleVisible(wo, u);
+    return m * (2 * Dot(wo, m)) - wo;
+  }
+  return SampleCosineHemisphere(u);
+}
+
+}  // namespace
+
+Spectrum EvalPrincipled(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+  const PrincipledLayers& layers = *lobe.principled.layers;
+  const Vec3 o = Turned(layers, wo);
+  return Value(lobe, o, SharesAt(lobe.principled, o), Turned(layers, wi));
+}
+
+float PrincipledPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+  const PrincipledLayers& layers = *lobe.principled.layers;
+  const Vec3 o = Turned(layers, wo);
+  const Choices choices = ChoicesAt(lobe, SharesAt(lobe.principled, o));
+  return Density(lobe, choices, o, Turned(layers, wi));
+}
+
+LobeValue EvalPrincipledWithPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
+  const PrincipledLayers& layers = *lobe.principled.layers;
+  const Vec3 o = Turned(layers, wo), i = Turned(layers, wi);
+  const Shares shares = SharesAt(lobe.principled, o);
+  return {Value(lobe, o, shares, i), Density(lobe, ChoicesAt(lobe, shares), o, i)};
+}
+
+LobeSample SamplePrincipled(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  const PrincipledLayers& layers = *lobe.principled.layers;
+  const Vec3 o = Turned(layers, wo);
+  const Shares shares = SharesAt(lobe.principled, o);
+  const Choices choices = ChoicesAt(lobe, shares);
+  const Vec3 i = Draw(lobe, choices, o, u);
+  if (!(i.z > 0)) return {};
+  LobeSample sample;
+  sample.pdf = Density(lobe, choices, o, i);
+  if (!(sample.pdf > 0)) return {};
+  sample.weight = Value(lobe, o, shares, i) * (i.z / sample.pdf);
+  sample.wi = TurnedBack(layers, i);
+  return sample;
+}
+
+}  // namespace candela

@@ -22,8 +22,9 @@ void AddOthers(const Bsdf& bsdf, const Vec3& wo, int drawn, LobeSample* sample) 
   Spectrum value = sample->weight * sample->pdf;
   for (int i = 0; i < bsdf.count; ++i) {
     if (i == drawn) continue;
-    pdf += bsdf.lobes[i].pick * LobePdf(bsdf.lobes[i], wo, sample->wi);
-    value += EvalLobe(bsdf.lobes[i], wo, sample->wi) * (bsdf.lobes[i].share * cosine);
+    const LobeValue other = EvalLobeWithPdf(bsdf.lobes[i], wo, sample->wi);
+    pdf += bsdf.lobes[i].pick * other.pdf;
+    value += other.value * (bsdf.lobes[i].share * cosine);
   }
   sample->pdf = pdf / bsdf.pick_sum;
   sample->weight = value * (1 / sample->pdf);

@@ -78,9 +78,9 @@ struct PrincipledParams {
   float coat_alpha;       ///< the roughness of the coat,
   float sheen_roughness;  ///< and of the fuzz.
   float row, coat_row;    ///< Of their tables.
-  /// Of light from everywhere what the coat reflects, and what more the dielectric below it would,
-  /// if `specular` was 1.
-  float mean_coat, mean_dielectric;
+  /// Multiplies what the layers above let through to the ground, and what is missing after one
+  /// bounce on metal, of light from either direction.
+  Rgb ground, multiple;
 };
 
 /// One part of what a surface does with light: `kind` says which of the structures counts. The

@@ -5,9 +5,12 @@
 #include <utility>
 
 #include "materials/fresnel.h"
+#include "math/elementary.h"
 
 namespace candela {
 namespace {
+
+constexpr auto kInvPi = static_cast<float>(1 / kPi);
 
 /// What is left of a colour when its brightness is taken out: the largest component becomes 1.
 Rgb HueOf(Rgb color) {
@@ -17,6 +20,18 @@ Rgb HueOf(Rgb color) {
 
 Rgb Tinted(Rgb color, float tint) {
   return Rgb{1, 1, 1} * (1 - tint) + HueOf(color) * tint;
+}
+
+Rgb Over(Rgb a, Rgb b) {
+  return {a.x / b.x, a.y / b.y, a.z / b.z};
+}
+
+/// What light takes on that met several facets of a metal, by Schlick's mean reflectance, over what
+/// is missing on average and pi.
+Rgb MultipleColour(Rgb head_on, float mean_share) {
+  const Rgb f = head_on * (20.0f / 21) + Rgb{1, 1, 1} * (1.0f / 21);
+  const Rgb kept = f * f * mean_share, lost = Rgb{1, 1, 1} - f * (1 - mean_share);
+  return Over(kept, lost) * (kInvPi / std::max(1 - mean_share, 1e-7f));
 }
 
 /// Burley's ratio of the roughness along and across the brushing.
@@ -108,15 +123,20 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color,
   params.sheen = Tinted(base_color, inputs_.sheen_tint.At(point)) * inputs_.sheen.At(point);
   params.sheen_roughness = layers_.sheen ? inputs_.sheen_roughness.At(point) : 0;
   params.coat = inputs_.clearcoat.At(point);
-  params.coat_alpha = params.coat_row = params.mean_coat = 0;
-  params.mean_dielectric = layers_.dielectric.Mean(params.row);
+  params.coat_alpha = params.coat_row = 0;
+  // Of light from everywhere what the coat reflects, and what more the dielectric below it does,
+  // but for its colour.
+  float by_coat = 0, by_dielectric = layers_.dielectric.Mean(params.row);
   if (params.coat > 0) {
     const float alpha = inputs_.clearcoat_roughness.AlphaAt(point);
     params.coat_alpha = std::max(alpha, kSmoothestAlpha);
     params.coat_row = inputs_.clearcoat_roughness.TableRow(params.coat_alpha);
-    params.mean_coat = params.coat * layers_.coat->Mean(params.coat_row);
-    params.mean_dielectric -= params.coat * layers_.MeanProduct(params.row, params.coat_row);
+    by_coat = params.coat * layers_.coat->Mean(params.coat_row);
+    by_dielectric -= params.coat * layers_.MeanProduct(params.row, params.coat_row);
   }
+  const Rgb let_through = Rgb{1, 1, 1} * (1 - by_coat) - params.specular * by_dielectric;
+  params.ground = Over(base_color * ((1 - metallic) * kInvPi), let_through);
+  params.multiple = MultipleColour(base_color, layers_.metal.Mean(params.row)) * metallic;
   return lobe;
 }
 

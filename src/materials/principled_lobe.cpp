@@ -4,13 +4,10 @@
 
 #include "materials/fresnel.h"
 #include "materials/principled_layers.h"
-#include "math/elementary.h"
 #include "sampling/warp.h"
 
 namespace candela {
 namespace {
-
-constexpr auto kInvPi = static_cast<float>(1 / kPi);
 
 Spectrum White() {
   return Spectrum(Rgb{1, 1, 1});
@@ -50,12 +47,9 @@ Shares SharesAt(const PrincipledParams& params, const Vec3& w) {
   return shares;
 }
 
-/// What gets to the ground, and for light from everywhere.
+/// What gets to the ground.
 Spectrum LetThrough(const PrincipledParams& params, const Shares& shares) {
   return (Spectrum(1) - Spectrum(params.specular) * shares.dielectric) * (1 - shares.coat);
-}
-Spectrum MeanLetThrough(const PrincipledParams& params) {
-  return Spectrum(1 - params.mean_coat) - Spectrum(params.specular) * params.mean_dielectric;
 }
 
 /// Schlick, "An Inexpensive BRDF Model for Physically-Based Rendering", 1994.
@@ -64,16 +58,16 @@ Spectrum MetalReflectance(const Spectrum& head_on, float cosine) {
   return head_on + (White() - head_on) * (c2 * c2 * c);
 }
 
-/// What light takes on that met several facets of the metal.
-Spectrum MultipleColour(const Lobe& lobe) {
-  const PrincipledParams& params = lobe.principled;
-  const float mean = params.layers->metal.Mean(params.row);
-  const Spectrum f = lobe.weight * (20.0f / 21) + White() * (1.0f / 21);
-  return f * f * mean / (Spectrum(1) - f * (1 - mean));
-}
+/// The value of a rough surface that mirrors all light by facets with the normal `m`, and the
+/// density with which those are drawn, per direction that they send light to.
+struct Mirrored {
+  float value, pdf;
+};
 
-float Mirrored(const Ggx& surface, const Vec3& wo, const Vec3& wi, const Vec3& m) {
-  return surface.Density(m) * surface.MaskingAndShadowing(wo, wi) / (4 * wo.z * wi.z);
+Mirrored MirroredBy(const Ggx& surface, const Vec3& wo, const Vec3& wi, const Vec3& m) {
+  const float seen = surface.Density(m) / (4 * wo.z);
+  const float hidden = surface.Lambda(wo);
+  return {seen / ((1 + hidden + surface.Lambda(wi)) * wi.z), seen / (1 + hidden)};
 }
 
 /// How often each way to draw a direction is taken.
@@ -94,7 +88,7 @@ Choices ChoicesAt(const Lobe& lobe, const Shares& shares) {
   if (m > 0) {
     const float metal = std::max(lobe.weight.MaxComponent(), 1.0f / 21);
     choices.mirrored += m * shares.metal * metal;
-    choices.multiple = beneath * m * (1 - shares.metal) * MultipleColour(lobe).MaxComponent();
+    choices.multiple = beneath * m * (1 - shares.metal);
   }
   choices.mirrored *= beneath;
   const float sum =
@@ -106,7 +100,8 @@ Choices ChoicesAt(const Lobe& lobe, const Shares& shares) {
 
 // The functions below take directions in the frame of the brushing.
 
-Spectrum Value(const Lobe& lobe, const Vec3& wo, const Shares& at_o, const Vec3& wi) {
+LobeValue ValueAndPdf(const Lobe& lobe, const Vec3& wo, const Shares& at_o, const Choices& choices,
+                      const Vec3& wi) {
   const PrincipledParams& params = lobe.principled;
   const PrincipledLayers& layers = *params.layers;
   const Shares at_i = SharesAt(params, wi);
@@ -120,45 +115,33 @@ Spectrum Value(const Lobe& lobe, const Vec3& wo, const Shares& at_o, const Vec3&
   float beyond;
 
   Spectrum reflectance, value;
+  float pdf = choices.ground * CosineHemispherePdf(wi.z) + choices.sheen * UniformHemispherePdf();
   if (m < 1) {
     reflectance =
         Spectrum(params.specular) * ((1 - m) * DielectricReflectance(cosine, layers.eta, &beyond));
-    value = lobe.weight * LetThrough(params, at_o) * LetThrough(params, at_i) /
-            MeanLetThrough(params) * ((1 - m) * kInvPi);
+    value = Spectrum(params.ground) * LetThrough(params, at_o) * LetThrough(params, at_i);
   }
   const float below_coat = std::min(1 - at_o.coat, 1 - at_i.coat);
   if (m > 0) {
     reflectance += MetalReflectance(lobe.weight, cosine) * m;
-    const float mean = layers.metal.Mean(params.row);
-    const float multiple = (1 - at_o.metal) * (1 - at_i.metal) * kInvPi / std::max(1 - mean, 1e-7f);
-    value += MultipleColour(lobe) * (m * multiple * below_coat);
+    const float missing = (1 - at_o.metal) * (1 - at_i.metal);
+    value += Spectrum(params.multiple) * (missing * below_coat);
+    pdf += choices.multiple * layers.metal.MissingPdf(wi.z, params.row);
   }
-  value += reflectance * (below_coat * Mirrored(params.surface, wo, wi, facet));
+  const Mirrored base = MirroredBy(params.surface, wo, wi, facet);
+  value += reflectance * (below_coat * base.value);
+  pdf += choices.mirrored * base.pdf;
   if (params.coat > 0) {
-    value += White() *
-             (params.coat * DielectricReflectance(cosine, PrincipledLayers::kCoatIndex, &beyond) *
-              Mirrored(CoatSurface(params), wo, wi, facet));
+    const Mirrored coat = MirroredBy(CoatSurface(params), wo, wi, facet);
+    const float fresnel = DielectricReflectance(cosine, PrincipledLayers::kCoatIndex, &beyond);
+    value += White() * (params.coat * fresnel * coat.value);
+    pdf += choices.coat * coat.pdf;
   }
   if (params.sheen != Rgb()) {
     value *= Spectrum(std::min(1 - at_o.sheen, 1 - at_i.sheen));
     value += Spectrum(params.sheen) * layers.sheen->Value(params.sheen_roughness, wo, wi);
   }
-  return value;
-}
-
-float Density(const Lobe& lobe, const Choices& choices, const Vec3& wo, const Vec3& wi) {
-  const PrincipledParams& params = lobe.principled;
-  const Vec3 m = Normalize(wo + wi);
-  const float per_direction = 1 / (4 * Dot(wo, m));
-  float pdf = choices.ground * CosineHemispherePdf(wi.z) +
-              choices.mirrored * params.surface.VisibleDensity(wo, m) * per_direction;
-  if (choices.coat > 0) {
-    pdf += choices.coat * CoatSurface(params).VisibleDensity(wo, m) * per_direction;
-  }
-  if (choices.multiple > 0) {
-    pdf += choices.multiple * params.layers->metal.MissingPdf(wi.z, params.row);
-  }
-  return pdf + choices.sheen * UniformHemispherePdf();
+  return {value, pdf};
 }
 
 Vec3 Draw(const Lobe& lobe, const Choices& choices, const Vec3& wo, Vec2 u) {
@@ -185,23 +168,18 @@ Vec3 Draw(const Lobe& lobe, const Choices& choices, const Vec3& wo, Vec2 u) {
 }  // namespace
 
 Spectrum EvalPrincipled(const Lobe& lobe, Vec3 wo, Vec3 wi) {
-  const PrincipledLayers& layers = *lobe.principled.layers;
-  const Vec3 o = Turned(layers, wo);
-  return Value(lobe, o, SharesAt(lobe.principled, o), Turned(layers, wi));
+  return EvalPrincipledWithPdf(lobe, wo, wi).value;
 }
 
 float PrincipledPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
-  const PrincipledLayers& layers = *lobe.principled.layers;
-  const Vec3 o = Turned(layers, wo);
-  const Choices choices = ChoicesAt(lobe, SharesAt(lobe.principled, o));
-  return Density(lobe, choices, o, Turned(layers, wi));
+  return EvalPrincipledWithPdf(lobe, wo, wi).pdf;
 }
 
 LobeValue EvalPrincipledWithPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   const PrincipledLayers& layers = *lobe.principled.layers;
-  const Vec3 o = Turned(layers, wo), i = Turned(layers, wi);
+  const Vec3 o = Turned(layers, wo);
   const Shares shares = SharesAt(lobe.principled, o);
-  return {Value(lobe, o, shares, i), Density(lobe, ChoicesAt(lobe, shares), o, i)};
+  return ValueAndPdf(lobe, o, shares, ChoicesAt(lobe, shares), Turned(layers, wi));
 }
 
 LobeSample SamplePrincipled(const Lobe& lobe, Vec3 wo, Vec2 u) {
@@ -211,10 +189,11 @@ LobeSample SamplePrincipled(const Lobe& lobe, Vec3 wo, Vec2 u) {
   const Choices choices = ChoicesAt(lobe, shares);
   const Vec3 i = Draw(lobe, choices, o, u);
   if (!(i.z > 0)) return {};
+  const LobeValue drawn = ValueAndPdf(lobe, o, shares, choices, i);
+  if (!(drawn.pdf > 0)) return {};
   LobeSample sample;
-  sample.pdf = Density(lobe, choices, o, i);
-  if (!(sample.pdf > 0)) return {};
-  sample.weight = Value(lobe, o, shares, i) * (i.z / sample.pdf);
+  sample.pdf = drawn.pdf;
+  sample.weight = drawn.value * (i.z / drawn.pdf);
   sample.wi = TurnedBack(layers, i);
   return sample;
 }

@@ -139,8 +139,8 @@ void LightTraceIntegrator::Check(const Scene& scene, Diagnostics* diagnostics) {
     if (scene.lights()[i]->CanBeSentOut()) continue;
     diagnostics->Error(
         scene.PlaceOfLight(i),
-        "the light has a 'falloff' that no light has which is sent out, so the integrator "
-        "'light_trace' does not know it; 'path' and 'whitted' do, and all of them 'falloff 0 0 Q'");
+        "no light that is sent out falls off like this, so the integrator 'light_trace' does not "
+        "know this 'falloff'; 'path' and 'whitted' do, and all of them know 'falloff 0 0 Q'");
   }
   const bool shines_from_afar = ShinesFromAfar(scene);
   for (size_t i = 0; i < scene.objects().size(); ++i) {

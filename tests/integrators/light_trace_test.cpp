@@ -60,7 +60,8 @@ TEST(LightTraceCreate, RefusesAFalloffThatLightDoesNotHave) {
   const auto lamp = [](const char* falloff) {
     return kGrey + "Scene { Component<Light> { type point falloff " + falloff + " } }";
   };
-  EXPECT_THAT(MessageFor(lamp("1 0 1")), HasSubstr("the light has a 'falloff' that no light has"));
+  EXPECT_THAT(MessageFor(lamp("1 0 1")),
+              HasSubstr("no light that is sent out falls off like this"));
   EXPECT_EQ(MessageFor(lamp("0 0 1")), "");
 }
 

@@ -16,7 +16,8 @@ void CheckResolved(const SceneSpec& resolved) {
   const std::string text = WriteScene(resolved);
   Diagnostics diagnostics;
   SceneSpec again;
-  CompileScene(ParseScene(nullptr, text, "/nowhere", &diagnostics), &diagnostics, &again);
+  CompileScene(ParseScene(nullptr, text, "/nowhere", &diagnostics), &diagnostics,
+               {AcceleratorKind::kBvh, &again});
   CHECK(!diagnostics.HasErrors());
   CHECK(WriteScene(again) == text);
 }
@@ -34,7 +35,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, size_t size) {
 
   // Compiled also after errors: programs do so to find more of them.
   SceneSpec resolved;
-  const bool has_scene = CompileScene(spec, &diagnostics, &resolved) != nullptr;
+  const bool has_scene =
+      CompileScene(spec, &diagnostics, {AcceleratorKind::kBvh, &resolved}) != nullptr;
   CHECK(has_scene != diagnostics.HasErrors());
   for (const std::string& line : diagnostics.Lines()) CHECK(line.size() < 500);
   if (has_scene) CheckResolved(resolved);

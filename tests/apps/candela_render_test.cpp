@@ -266,8 +266,8 @@ TEST_F(CandelaRenderTest, RefusesAWrongCommandLine) {
       "'gausian' (did you mean 'gaussian'?)");
   ExpectUsageError(
       {"-o", "o.png", "--integrator", "wihtted"},
-      "--integrator: expects 'whitted', 'path' or 'light_trace', found 'wihtted' (did you mean "
-      "'whitted'?)");
+      "--integrator: expects 'whitted', 'path', 'light_trace', 'direct', 'ambient_occlusion' or "
+      "'debug', found 'wihtted' (did you mean 'whitted'?)");
   ExpectUsageError({"-o", "o.png", "--samples", "0"},
                    "--samples: expects a whole number from 1 to 2147483647, found '0'");
   ExpectUsageError({"-o", "o.png", "--accelerator", "octre"},

@@ -29,8 +29,8 @@ std::optional<Resolved> Resolve(const std::string& scene, const std::filesystem:
   Diagnostics diagnostics;
   const auto name = std::make_shared<const std::string>("scene.txt");
   SceneSpec resolved;
-  const auto compiled =
-      CompileScene(ParseScene(name, scene, folder, &diagnostics), &diagnostics, &resolved);
+  const auto compiled = CompileScene(ParseScene(name, scene, folder, &diagnostics), &diagnostics,
+                                     {AcceleratorKind::kBvh, &resolved});
   EXPECT_FALSE(diagnostics.HasErrors()) << diagnostics.Lines()[0] << "\nin: " << scene;
   if (!compiled) return std::nullopt;
 

@@ -14,6 +14,7 @@ namespace candela {
 
 struct AmbientOcclusionIntegrator::Batch final : Workspace {
   struct State {
+    uint32_t sample = 0;
     Sampler sampler{0, 0, 0, 0};
   };
 
@@ -53,38 +54,42 @@ void AmbientOcclusionIntegrator::Follow(std::span<const SampleRequest> samples, 
   PathQueue<Batch::State>& paths = batch->paths;
   paths.Resize(samples.size());
   const bool is_pinhole = scene_.camera().IsPinhole();
-  for (size_t i = 0; i < samples.size(); ++i) {
+  size_t started = 0;
+  for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
     const Sampler sampler(seed_, request.x, request.y, request.index, sampler_);
-    paths.states()[i].sampler = sampler;
+    paths.states()[i] = {i, sampler};
     paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
                                  : scene_.camera().GenerateRay(request.image_point,
                                                                sampler.Get2D(kLensDimension));
+    output.radiance[i] = Spectrum();
+    if (paths.rays()[i].direction != Vec3()) paths.MoveTo(started++, i);
   }
-  batch->rays.camera += samples.size();
+  paths.Resize(started);
+  batch->rays.camera += started;
   paths.FindHits(scene_, is_pinhole ? RayOrder::kCoherent : RayOrder::kScattered);
 
   batch->samples.clear();
   batch->rays_to_sky.clear();
-  for (uint32_t i = 0; i < samples.size(); ++i) {
+  for (size_t i = 0; i < paths.size(); ++i) {
+    const auto& [sample, sampler] = paths.states()[i];
     const Ray& ray = paths.rays()[i];
     const HitRecord& hit = paths.hits()[i];
-    output.radiance[i] = Spectrum();
     if (!hit.IsHit()) {
-      output.radiance[i] = scene_.background().Radiance(ray.direction);
+      output.radiance[sample] = scene_.background().Radiance(ray.direction);
       continue;
     }
     const SurfacePoint point = scene_.SurfaceAt(ray, hit);
     const bool is_behind = Dot(point.n_geometric, ray.direction) > 0;
     const Vec3 outward = is_behind ? -point.n_geometric : point.n_geometric;
     const Vec3 n = Dot(point.n_shading, outward) < 0 ? -point.n_shading : point.n_shading;
-    const Vec2 u = paths.states()[i].sampler.Get2D(BounceDimension(0) + kDirection);
+    const Vec2 u = sampler.Get2D(BounceDimension(0) + kDirection);
     const Vec3 w = Frame::FromNormal(n).ToWorld(SampleCosineHemisphere(u));
     if (!(Dot(w, outward) > 0)) continue;  // The surface itself is in the way.
     Ray to_sky = SpawnRay(point, w);
     to_sky.t_max = distance_;
     to_sky.mask = kShadowRay;
-    batch->samples.push_back(i);
+    batch->samples.push_back(sample);
     batch->rays_to_sky.push_back(to_sky);
   }
 

@@ -125,15 +125,20 @@ void DebugIntegrator::ShowSurfaces(std::span<const SampleRequest> samples, Batch
                                    const SampleOutput& output) const {
   PathQueue<uint32_t>& paths = batch->paths;
   paths.Resize(samples.size());
+  size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
+    paths.states()[i] = i;
     paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
+    output.radiance[i] = Spectrum();
+    if (paths.rays()[i].direction != Vec3()) paths.MoveTo(started++, i);
   }
-  batch->rays.camera += samples.size();
+  paths.Resize(started);
+  batch->rays.camera += started;
   paths.FindHits(scene_, RayOrder::kCoherent);
-  for (size_t i = 0; i < samples.size(); ++i) {
+  for (size_t i = 0; i < paths.size(); ++i) {
     const Ray& ray = paths.rays()[i];
     const HitRecord& hit = paths.hits()[i];
-    output.radiance[i] =
+    output.radiance[paths.states()[i]] =
         hit.IsHit() ? Spectrum(ColorOf(ray, hit)) : scene_.background().Radiance(ray.direction);
   }
 }

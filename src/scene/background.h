@@ -15,10 +15,8 @@ struct Background {
   std::optional<CubeMap> cube_map;            ///< Replaces `color`,
   std::optional<EnvironmentMap> environment;  ///< and so does this; there is one of them at most.
 
-  /// What comes from a direction of any length. Of length 0 it is that of rays which a camera does
-  /// not have, outside of the circle of a fisheye: nothing.
+  /// What comes from a direction of any length but 0.
   Spectrum Radiance(Vec3 direction) const {
-    if (direction == Vec3()) return {};
     if (environment) return Spectrum(environment->Lookup(Normalize(direction)));
     return Spectrum(cube_map ? cube_map->Lookup(direction) : color);
   }

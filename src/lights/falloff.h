@@ -6,11 +6,10 @@
 namespace candela {
 
 /// How the light of a lamp without extent loses by the distance D: it gives its colour over
-/// constant
-/// + linear D + quadratic D^2. Light itself knows the last of these alone, and then the colour over
-/// `quadratic` is an intensity; with the others lamps stay bright from afar as early graphics
-/// wanted them: Foley, van Dam, Feiner, Hughes, "Computer Graphics: Principles and Practice", 1990,
-/// section 16.1.
+/// (constant + linear D + quadratic D^2). Light itself knows the last of these alone, and then the
+/// colour over `quadratic` is an intensity; with the others lamps stay bright from afar as early
+/// graphics wanted them: Foley, van Dam, Feiner, Hughes, "Computer Graphics: Principles and
+/// Practice", 1990, section 16.1.
 struct Falloff {
   /// That of light.
   Falloff(float attenuation) : quadratic(attenuation) {}  // NOLINT: an attenuation is a falloff.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lights/light_context.h"
+#include "lights/way_to_light.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -57,11 +58,9 @@ std::unique_ptr<Light> IesLight::Create(ParamReader* params, const LightContext&
 }
 
 LightSample IesLight::SampleIncident(Vec3 p) const {
-  const Vec3 to_light = position_ - p;
-  const float squared = Dot(to_light, to_light);
-  if (squared == 0) return {};  // In the light itself there is no direction to it.
-  const float distance = std::sqrt(squared);
-  const Vec3 direction = to_light / distance;
+  const WayToLight way(p, position_);
+  if (way.IsNone()) return {};
+  const auto& [direction, distance, squared] = way;
   const float intensity = profile_->Intensity(frame_.ToLocal(-direction));
   return {direction, Spectrum(color_ * (intensity / squared)), distance};
 }

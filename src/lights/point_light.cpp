@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lights/light_context.h"
+#include "lights/way_to_light.h"
 #include "math/elementary.h"
 #include "sampling/warp.h"
 
@@ -17,12 +18,11 @@ std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContex
 }
 
 LightSample PointLight::SampleIncident(Vec3 p) const {
-  const Vec3 to_light = position_ - p;
-  const float squared = Dot(to_light, to_light);
-  if (squared == 0) return {};  // In the light itself there is no direction to it.
-  const float distance = std::sqrt(squared);
+  const WayToLight way(p, position_);
+  if (way.IsNone()) return {};
+  const auto& [direction, distance, squared] = way;
   const Rgb radiance = color_ / falloff_.At(distance, squared);
-  return {to_light / distance, Spectrum(radiance), distance};
+  return {direction, Spectrum(radiance), distance};
 }
 
 LightReach PointLight::Reach() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lights/light_context.h"
+#include "lights/way_to_light.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -131,11 +132,9 @@ float ProjectorLight::PdfOfPlace(Vec2 uv) const {
 }
 
 LightSample ProjectorLight::SampleIncident(Vec3 p) const {
-  const Vec3 to_light = position_ - p;
-  const float squared = Dot(to_light, to_light);
-  if (squared == 0) return {};  // In the light itself there is no direction to it.
-  const float distance = std::sqrt(squared);
-  const Vec3 direction = to_light / distance;
+  const WayToLight way(p, position_);
+  if (way.IsNone()) return {};
+  const auto& [direction, distance, squared] = way;
   const Place place = PlaceOf(-direction);
   if (place.cosine == 0) return {direction, {}, distance};
   const float cube = place.cosine * place.cosine * place.cosine;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lights/light_context.h"
+#include "lights/way_to_light.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -41,11 +42,9 @@ float SpotLight::Brightness(float cosine) const {
 }
 
 LightSample SpotLight::SampleIncident(Vec3 p) const {
-  const Vec3 to_light = position_ - p;
-  const float squared = Dot(to_light, to_light);
-  if (squared == 0) return {};  // In the light itself there is no direction to it.
-  const float distance = std::sqrt(squared);
-  const Vec3 direction = to_light / distance;
+  const WayToLight way(p, position_);
+  if (way.IsNone()) return {};
+  const auto& [direction, distance, squared] = way;
   const Rgb radiance =
       color_ * (Brightness(-Dot(direction, direction_)) / falloff_.At(distance, squared));
   return {direction, Spectrum(radiance), distance};

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "driver/arg_parser.h"
-#include "scene_spec/param_reader.h"
+#include "scene_spec/param_messages.h"
 
 namespace candela {
 namespace {

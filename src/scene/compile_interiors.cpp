@@ -53,7 +53,7 @@ class InteriorCompiler {
     const auto medium = name.empty() ? std::nullopt : MediumNamed(name, params.Where("medium"));
     Interior interior;
     interior.is_explicit = true;
-    if (params.Has("priority")) interior.priority = Priority(&params);
+    interior.priority = static_cast<int>(params.Integer("priority", 0, 0, kGreatestPriority));
     params.Finish();
     if (!node.object) {
       diagnostics_.Error(spec.where, "there is no object in this node that could be filled");
@@ -61,16 +61,6 @@ class InteriorCompiler {
     if (!medium) return std::nullopt;
     interior.medium = *medium;
     return interior;
-  }
-
-  static int Priority(ParamReader* params) {
-    const auto priority = params->RequiredInteger("priority");
-    if (!priority) return 0;
-    if (*priority >= 0 && *priority <= kGreatestPriority) return static_cast<int>(*priority);
-    params->Error(params->Where("priority"),
-                  fmt::format("'priority' expects a whole number from 0 to {}, found '{}'",
-                              kGreatestPriority, *priority));
-    return 0;
   }
 
   std::optional<Medium> MediumNamed(std::string_view name, const SourceLocation& where) {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "base/number.h"
 #include "base/text.h"
+#include "scene_spec/param_messages.h"
 
 namespace candela {
 namespace {
@@ -34,19 +36,15 @@ bool IsFraction(float value) {
   return value >= 0 && value <= 1;
 }
 
-bool IsOneOf(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 }  // namespace
 
 ParamReader::ParamReader(const ParamSet& params, std::string_view object,
                          const SourceLocation& where, Diagnostics* diagnostics, ParamSet* resolved)
     : params_(params),
-      object_(object),
       where_(where),
       diagnostics_(diagnostics),
-      resolved_(resolved) {}
+      resolved_(resolved),
+      use_(params, object, where, diagnostics) {}
 
 /// Keeps what a parameter turned out to be; the last time that it was asked for counts.
 void ParamReader::Note(std::string_view name, std::vector<ParamWord> words, bool is_path) {
@@ -85,8 +83,11 @@ void ParamReader::Error(SourceLocation where, std::string text) {
 template <class Read>
 auto ParamReader::ReadEach(std::string_view name, bool is_required, const Read& read) {
   decltype(read(params_.params[0])) value;
-  const bool is_given = Has(name);
-  if (is_required && !is_given && !IsOneOf(missing_, name)) missing_.push_back(name);
+  if (is_required) {
+    use_.Require(name);
+  } else {
+    use_.Know(name);
+  }
   for (const Param& param : params_.params) {
     if (param.name == name) value = read(param);
   }
@@ -109,7 +110,7 @@ bool ParamReader::ReadNumbers(const Param& param, const NumberRule& rule, std::s
     values[i] = *value;
   }
   if (param.words.size() == values.size()) return true;
-  shortages_.push_back({&param, rule.expected});
+  use_.AddShortage(param, rule.expected);
   return false;
 }
 
@@ -131,26 +132,44 @@ std::optional<Vec3> ParamReader::ThreeNumbers(std::string_view name, bool is_req
   });
 }
 
-std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
-  const auto number = ReadEach(name, true, [&](const Param& param) -> std::optional<int64_t> {
-    constexpr const char* kExpected = "a whole number";
-    if (param.words.empty()) {
-      shortages_.push_back({&param, kExpected});
-      return std::nullopt;
-    }
-    const std::string& word = param.words[0].text;
-    const auto value = ParseInteger(word);
-    if (!value) {
-      const bool is_too_large = word.find_first_not_of("0123456789", 1) == std::string::npos &&
-                                ParseFloat(word).has_value();
-      Error(param.words[0].where, WrongWord(name, kExpected, word, is_too_large));
-    } else if (param.words.size() > 1) {
-      Error(param.words[1].where, WrongCount(name, kExpected, param.words.size()));
-    }
-    return value;
-  });
+std::optional<int64_t> ParamReader::OneInteger(std::string_view name, bool is_required,
+                                               const IntegerRule& rule) {
+  const auto number =
+      ReadEach(name, is_required, [&](const Param& param) -> std::optional<int64_t> {
+        if (param.words.empty()) {
+          use_.AddShortage(param, rule.expected);
+          return std::nullopt;
+        }
+        const std::string& word = param.words[0].text;
+        const auto value = ParseInteger(word);
+        if (!value || *value < rule.least || *value > rule.most) {
+          const bool is_too_large = !value &&
+                                    word.find_first_not_of("0123456789", 1) == std::string::npos &&
+                                    ParseFloat(word).has_value();
+          Error(param.words[0].where, WrongWord(name, rule.expected, word, is_too_large));
+          return std::nullopt;
+        }
+        if (param.words.size() > 1) {
+          Error(param.words[1].where, WrongCount(name, rule.expected, param.words.size()));
+        }
+        return value;
+      });
   if (number) Note(name, {{fmt::format("{}", *number), where_}});
   return number;
+}
+
+std::optional<int64_t> ParamReader::RequiredInteger(std::string_view name) {
+  return OneInteger(
+      name, true,
+      {"a whole number", std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::max()});
+}
+
+int64_t ParamReader::Integer(std::string_view name, int64_t default_value, int64_t least,
+                             int64_t most) {
+  const IntegerRule rule{fmt::format("a whole number from {} to {}", least, most), least, most};
+  if (const auto number = OneInteger(name, false, rule)) return *number;
+  Note(name, {{fmt::format("{}", default_value), where_}});
+  return default_value;
 }
 
 std::optional<ParamWord> ParamReader::OneWord(const Param& param) {
@@ -203,30 +222,6 @@ float ParamReader::HalfAngle(std::string_view name, float default_value) {
 float ParamReader::FullAngle(std::string_view name, float default_value) {
   const NumberRule rule{"an angle above 0 and at most 360 degrees", IsFullAngle};
   return Noted(name, OneNumber(name, false, rule).value_or(default_value));
-}
-
-int64_t ParamReader::Integer(std::string_view name, int64_t default_value, int64_t least,
-                             int64_t most) {
-  const auto number = ReadEach(name, false, [&](const Param& param) -> std::optional<int64_t> {
-    const std::string expected = fmt::format("a whole number from {} to {}", least, most);
-    if (param.words.empty()) {
-      Error(param.where, WrongCount(name, expected, 0));
-      return std::nullopt;
-    }
-    const ParamWord& word = param.words[0];
-    const std::optional<int64_t> value = ParseInteger(word.text);
-    if (!value || *value < least || *value > most) {
-      Error(word.where, WrongWord(name, expected, word.text));
-      return std::nullopt;
-    }
-    if (param.words.size() > 1) {
-      Error(param.words[1].where, WrongCount(name, expected, param.words.size()));
-    }
-    return value;
-  });
-  const int64_t value = number.value_or(default_value);
-  if (resolved_) Note(name, {{fmt::format("{}", value), where_}});
-  return value;
 }
 
 std::vector<float> ParamReader::RequiredNumberGroups(std::string_view name, size_t group_size,
@@ -376,89 +371,10 @@ const ParamWord* ParamReader::TextureName(std::string_view name) {
   return nullptr;
 }
 
-bool ParamReader::Has(std::string_view name) {
-  if (!IsOneOf(known_, name)) known_.push_back(name);
-  return params_.Find(name) != nullptr;
-}
-
-bool ParamReader::HasRequired(std::string_view name) {
-  const bool has = Has(name);
-  if (!has && !IsOneOf(missing_, name)) missing_.push_back(name);
-  return has;
-}
-
 SourceLocation ParamReader::Where(std::string_view name) const {
   const Param* param = params_.Find(name);
   if (!param) return where_;
   return param->words.empty() ? param->where : param->words[0].where;
-}
-
-void ParamReader::Finish() {
-  auto shortage = shortages_.begin();
-  std::sort(shortages_.begin(), shortages_.end(),
-            [](const Shortage& a, const Shortage& b) { return a.param < b.param; });
-  const std::vector<Param>& params = params_.params;
-  for (size_t i = 0; i < params.size(); ++i) {
-    const bool is_short = shortage != shortages_.end() && shortage->param == &params[i];
-    if (!is_short) {
-      if (!IsOneOf(known_, params[i].name)) ReportUnused(params[i]);
-      continue;
-    }
-    const auto [param, expected] = *shortage++;
-    const bool is_last = i + 1 == params.size();
-    if (is_last && params_.is_damaged) continue;  // The rest of it may be what could not be read.
-    if (const Param* word = WordBetweenNumbers(params_, i, known_)) {
-      ++i;
-      Error(word->where, WrongWord(param->name, expected, word->name));
-    } else {
-      Error(param->where, WrongCount(param->name, expected, param->words.size()));
-    }
-  }
-  ReportMissing();
-}
-
-void ParamReader::ReportUnused(const Param& param) {
-  const auto nearest = Nearest(param.name, known_);
-  // Of a misspelt name it needs no saying that it is missing.
-  if (nearest) std::erase(missing_, *nearest);
-  diagnostics_->Error(param.where, [&] {
-    return fmt::format("parameter {} is not used by {}{}", Quote(param.name), Quote(object_),
-                       nearest || known_.empty() ? DidYouMean(param.name, known_)
-                                                 : fmt::format("; accepted: {}", ListOf(known_)));
-  });
-}
-
-void ParamReader::ReportMissing() {
-  if (params_.is_damaged) return;
-  std::vector<std::string_view> needed;
-  for (const std::string_view name : missing_) {
-    // Where the value before it is missing, a name was taken for that value.
-    const bool is_a_value = std::any_of(
-        params_.params.begin(), params_.params.end(),
-        [&](const Param& param) { return !param.words.empty() && param.words[0].text == name; });
-    if (!is_a_value) needed.push_back(name);
-  }
-  if (needed.empty()) return;
-  Error(where_, fmt::format("{} needs {}", Quote(object_), ListOf(needed, "and")));
-}
-
-std::string WrongWord(std::string_view name, std::string_view expected, std::string_view found,
-                      bool is_too_large) {
-  return fmt::format("'{}' expects {}, found {}{}", name, expected, Quote(found),
-                     is_too_large ? ", which is too large" : "");
-}
-
-std::string WrongCount(std::string_view name, std::string_view expected, size_t found) {
-  return fmt::format(
-      "'{}' expects {}, found {}", name, expected,
-      found == 0 ? "nothing" : fmt::format("{} number{}", found, found == 1 ? "" : "s"));
-}
-
-const Param* WordBetweenNumbers(const ParamSet& set, size_t i,
-                                std::span<const std::string_view> known) {
-  if (i + 1 == set.params.size() || set.params[i].words.empty()) return nullptr;
-  const Param& next = set.params[i + 1];
-  return Nearest(next.name, known) ? nullptr : &next;
 }
 
 }  // namespace candela

@@ -11,6 +11,7 @@
 #include "math/spectrum.h"
 #include "math/vec.h"
 #include "scene_spec/param_set.h"
+#include "scene_spec/param_use.h"
 
 namespace candela {
 
@@ -93,26 +94,25 @@ class ParamReader {
   /// Its name; null when that is missing, which is reported.
   const ParamWord* TextureName(std::string_view name);
 
-  bool Has(std::string_view name);
+  bool Has(std::string_view name) { return use_.Know(name); }
   /// The same of a parameter that has to be there.
-  bool HasRequired(std::string_view name);
+  bool HasRequired(std::string_view name) { return use_.Require(name); }
   /// The place of the parameter's value, or of the object when it is missing.
   SourceLocation Where(std::string_view name) const;
 
   void Error(SourceLocation where, std::string text);
 
   /// Reports parameters that are missing, and those that were given but never asked for.
-  void Finish();
+  void Finish() { use_.Report(); }
 
  private:
   struct NumberRule {
     const char* expected;     ///< For messages.
     bool (*is_legal)(float);  ///< For each number.
   };
-  /// A parameter with fewer values than it needs.
-  struct Shortage {
-    const Param* param;
-    const char* expected;
+  struct IntegerRule {
+    std::string expected;
+    int64_t least, most;
   };
 
   /// The value that `read` finds in the last parameter of that name; remembers the name as known.
@@ -120,6 +120,8 @@ class ParamReader {
   auto ReadEach(std::string_view name, bool is_required, const Read& read);
   std::optional<float> OneNumber(std::string_view name, bool is_required, const NumberRule& rule);
   std::optional<Vec3> ThreeNumbers(std::string_view name, bool is_required, const NumberRule& rule);
+  std::optional<int64_t> OneInteger(std::string_view name, bool is_required,
+                                    const IntegerRule& rule);
   bool ReadNumbers(const Param& param, const NumberRule& rule, std::span<float> values);
   std::optional<ParamWord> OneWord(const Param& param);
   ParamWord PlacedWord(std::string_view name, bool is_required);
@@ -127,30 +129,12 @@ class ParamReader {
   float Noted(std::string_view name, float value);
   Vec2 Noted(std::string_view name, Vec2 value);
   Vec3 Noted(std::string_view name, Vec3 value);
-  void ReportUnused(const Param& param);
-  void ReportMissing();
 
   const ParamSet& params_;
-  std::string_view object_;
   const SourceLocation& where_;
   Diagnostics* diagnostics_;
   ParamSet* resolved_;
-  std::vector<std::string_view> known_;
-  std::vector<std::string_view> missing_;
-  std::vector<Shortage> shortages_;
+  ParamUse use_;
 };
-
-/// For messages about a parameter's value: "'radius' expects a positive number, found 'x'".
-std::string WrongWord(std::string_view name, std::string_view expected, std::string_view found,
-                      bool is_too_large = false);
-
-/// The same for a wrong number of numbers.
-std::string WrongCount(std::string_view name, std::string_view expected, size_t found);
-
-/// Of a parameter with too few numbers, the i-th of its set: the one behind it, if that is none but
-/// a word in the place of a number. A word between numbers reads like the name of a further
-/// parameter; one that resembles no name in `known` is meant as a value. Null otherwise.
-const Param* WordBetweenNumbers(const ParamSet& set, size_t i,
-                                std::span<const std::string_view> known);
 
 }  // namespace candela

@@ -8,7 +8,7 @@
 
 #include "base/number.h"
 #include "base/text.h"
-#include "scene_spec/param_reader.h"
+#include "scene_spec/param_messages.h"
 
 namespace candela {
 namespace {

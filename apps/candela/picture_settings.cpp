@@ -65,6 +65,7 @@ void PictureSettings::AddSamples(ArgParser* parser) {
                              "that draw them {})",
                              kFilteredSamples, kPathSamples),
                  kInRender);
+  stop_.Add(parser);
   parser->Option(
       "filter", {Choice("NAME", &filter_, FilterNames())},
       fmt::format("how samples are weighed: {} (default box)", fmt::join(FilterNames(), ", ")),
@@ -119,12 +120,14 @@ void PictureSettings::MergeFilm(const ArgParser& parser, const SceneSpec& spec,
 void PictureSettings::DropSamplesOfScene(const ArgParser& parser) {
   if (!jitter_) return;
   samples_.reset();  // --samples cannot have been given.
+  stop_.DropThoseOfScene(parser);
   if (!parser.Has("filter")) filter_.reset();
 }
 
 void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet& settings,
                                          Diagnostics* diagnostics) {
   CheckClamp(parser, settings, diagnostics);
+  stop_.CheckScene(parser, settings, sampler_, diagnostics);
   const std::string text =
       fmt::format("has no effect with the integrator '{}'", request_.integrator);
   const auto warn = [&](std::string_view option, std::string_view param) {
@@ -187,7 +190,7 @@ void PictureSettings::FinishSamples() {
     return;
   }
   const uint32_t usual = IsSampled() ? kPathSamples : filter_ ? kFilteredSamples : 1;
-  if (!samples_) samples_ = usual;
+  if (!samples_) samples_ = stop_.UsualSamples().value_or(usual);
   render.samples = *samples_;
   render.pattern = render.samples > 1 || filter_ ? SamplePattern::kFilter : SamplePattern::kCentre;
   if (render.pattern == SamplePattern::kCentre) return;

@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "candela/exposure_settings.h"
 #include "candela/lens_settings.h"
+#include "candela/stop_settings.h"
 #include "driver/arg_parser.h"
 #include "driver/common_options.h"
 #include "driver/render_request.h"
@@ -21,7 +22,7 @@ namespace candela {
 /// options to.
 class PictureSettings {
  public:
-  explicit PictureSettings(RenderRequest* request) : request_(*request) {}
+  explicit PictureSettings(RenderRequest* request) : request_(*request), stop_(request) {}
 
   /// tonemap, and those of `ExposureSettings` and `LensSettings`
   void AddTone(ArgParser* parser);
@@ -29,7 +30,7 @@ class PictureSettings {
   void AddGrid(ArgParser* parser);
   /// integrator, those of `common`, limits of bounces by their kind, ao-distance, view
   void AddLight(ArgParser* parser, CommonOptions* common);
-  /// samples, filter, sampler, clamp, jitter, seed
+  /// samples, those of `StopSettings`, filter, sampler, clamp, jitter, seed
   void AddSamples(ArgParser* parser);
 
   // What can be said without the scene.
@@ -37,6 +38,9 @@ class PictureSettings {
   Result<void> CheckTone(const ArgParser& parser) const;
   /// What can be said of the exposure and the lens once the settings of the scene are known.
   Result<void> CheckFilm(const ArgParser& parser) const;
+
+  /// What can be said of the end of the work once everything is known.
+  Result<void> CheckStop(const ArgParser& parser) const { return stop_.Check(parser); }
 
   /// What the scene and the command line say of the same in different words.
   void MergeFilm(const ArgParser& parser, const SceneSpec& spec, Diagnostics* diagnostics);
@@ -67,6 +71,7 @@ class PictureSettings {
   std::optional<std::string> filter_, grid_, tonemap_, view_;
   ExposureSettings exposure_;
   LensSettings lens_;
+  StopSettings stop_;
   std::optional<uint32_t> samples_;
 };
 

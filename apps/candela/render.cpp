@@ -89,6 +89,7 @@ class RenderCommand {
     picture_.Finish();
     if (const auto done = common_.FinishSize(parser_); !done) return done;
     if (const auto done = picture_.CheckFilm(parser_); !done) return done;
+    if (const auto done = picture_.CheckStop(parser_); !done) return done;
     if (const auto done = CheckAbilities(); !done) return done;
     return FinishWindow();
   }

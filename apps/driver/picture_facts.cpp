@@ -100,6 +100,14 @@ std::string LensText(const LensEffects& lens) {
   return text;
 }
 
+/// When the work ends, if not with the samples.
+std::string StopText(const RenderOptions& render) {
+  std::string text;
+  if (render.noise_target) text += fmt::format(" --noise-target {}", *render.noise_target);
+  if (render.time_limit) text += fmt::format(" --time-limit {}", *render.time_limit);
+  return text;
+}
+
 }  // namespace
 
 CheckpointOwner OwnerOfCheckpoint(const RenderRequest& request, std::string scene_hash) {
@@ -113,7 +121,8 @@ std::vector<ExrAttribute> PictureAttributes(const RenderRequest& request,
           {"candela/integrator", request.integrator},
           {"candela/samples", std::to_string(request.render.samples)},
           {"candela/seed", std::to_string(request.render.seed)},
-          {"candela/options", PictureOptions(request) + LensText(request.output_options.lens)}};
+          {"candela/options", PictureOptions(request) + StopText(request.render) +
+                                  LensText(request.output_options.lens)}};
 }
 
 }  // namespace candela

@@ -11,11 +11,6 @@ constexpr int kShortestBar = 10, kLongestBar = 40;
 constexpr const char* kGreen = "\x1b[32m";
 constexpr const char* kPlain = "\x1b[0m";
 
-double Fraction(const ProgressState& state) {
-  if (state.total == 0) return 0;
-  return std::min(1.0, static_cast<double>(state.done) / static_cast<double>(state.total));
-}
-
 /// "0.8 s", "59 s", "1 min 05 s", "2 h 07 min".
 std::string Duration(double seconds) {
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
@@ -36,7 +31,7 @@ std::string Rate(double rays_per_second) {
 }  // namespace
 
 std::string ProgressText(const ProgressState& state) {
-  const double fraction = Fraction(state);
+  const double fraction = state.fraction;
   // Cut, not rounded: 100% means that it is done.
   std::string text = fmt::format("{}%", static_cast<int>(100 * fraction));
   if (!(state.seconds > 0)) return text;
@@ -51,7 +46,7 @@ std::string ProgressBar(const ProgressState& state, int columns, bool colours) {
   const auto width = static_cast<size_t>(std::max(columns, 0));
   if (text.size() + kShortestBar + 3 > width) return fmt::format("{:<{}.{}}", text, width, width);
   const int length = std::min(kLongestBar, static_cast<int>(width - text.size()) - 3);
-  const int filled = static_cast<int>(length * Fraction(state));
+  const int filled = static_cast<int>(length * state.fraction);
   return fmt::format("{}[{:#<{}}{:.<{}}]{} {:<{}}", colours ? kGreen : "", "", filled, "",
                      length - filled, colours ? kPlain : "", text, width - length - 3);
 }

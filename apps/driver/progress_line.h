@@ -7,7 +7,7 @@ namespace candela {
 
 /// How far some work is, at one moment.
 struct ProgressState {
-  uint64_t done = 0, total = 0;  ///< Samples.
+  double fraction = 0;  ///< In [0, 1].
   uint64_t rays = 0;
   double seconds = 0;  ///< Since the start.
 };

@@ -59,7 +59,7 @@ bool ProgressReporter::WaitForEnd(double seconds) {
 }
 
 ProgressState ProgressReporter::State() const {
-  return {job_.SamplesDone(), job_.SamplesTotal(), job_.RaysTraced(), clock_.Seconds()};
+  return {job_.Progress(), job_.RaysTraced(), clock_.Seconds()};
 }
 
 }  // namespace candela

@@ -27,6 +27,11 @@ void PrintRenderNotes(const std::string& program, const RenderJob& job) {
                  "in some places light is in more than four bodies that overlap; the others are "
                  "taken as if they were not there");
   }
+  if (const double noisy = job.NoisyPart(); noisy > 0) {
+    PrintWarning(program, fmt::format("{:.3g} % of the pixels are in blocks that are still noisier "
+                                      "than the noise target",
+                                      100 * noisy));
+  }
   const ClampLoss& lost = job.Lost();
   if (lost.samples > 0) {
     PrintWarning(program, fmt::format("--clamp has taken {:.3g} % of the light, in {} samples",

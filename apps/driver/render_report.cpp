@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace candela {
@@ -15,6 +16,17 @@ std::string Row(std::string_view name, uint64_t count) {
   return fmt::format("  {:<12}{:>14}\n", name, count);
 }
 
+std::string Samples(double mean) {
+  return mean == std::floor(mean) ? fmt::format("{:.0f}", mean) : fmt::format("{:.1f}", mean);
+}
+
+/// A whole number as such.
+nlohmann::ordered_json Number(double value) {
+  const auto whole = static_cast<uint64_t>(value);
+  if (static_cast<double>(whole) == value) return whole;
+  return value;
+}
+
 double Mebibytes(uint64_t bytes) {
   return static_cast<double>(bytes) / (1 << 20);
 }
@@ -26,7 +38,7 @@ std::string StatisticsToText(const RenderStatistics& statistics) {
   const RayCounts& rays = statistics.rays;
   std::string text = fmt::format("{}: {} x {} pixels, {} samples each, {}, {} threads, {}, {}\n",
                                  statistics.scene, statistics.width, statistics.height,
-                                 statistics.samples_per_pixel, statistics.integrator,
+                                 Samples(statistics.samples_per_pixel), statistics.integrator,
                                  statistics.threads, statistics.accelerator, statistics.isa);
   text += "time\n" + Row("load", seconds.load, "s") + Row("build", seconds.build, "s") +
           Row("render", seconds.render, "s") + Row("encode", seconds.encode, "s") +
@@ -49,7 +61,7 @@ std::string StatisticsToJson(const RenderStatistics& statistics) {
                                        {"integrator", statistics.integrator},
                                        {"width", statistics.width},
                                        {"height", statistics.height},
-                                       {"samples_per_pixel", statistics.samples_per_pixel},
+                                       {"samples_per_pixel", Number(statistics.samples_per_pixel)},
                                        {"threads", statistics.threads},
                                        {"accelerator", statistics.accelerator},
                                        {"isa", statistics.isa},

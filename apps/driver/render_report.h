@@ -23,8 +23,8 @@ struct RenderStatistics {
 
   std::string scene;  ///< As the user named it.
   std::string integrator;
-  int width = 0, height = 0;  ///< Of what was rendered: the crop window.
-  uint32_t samples_per_pixel = 0;
+  int width = 0, height = 0;     ///< Of what was rendered: the crop window.
+  double samples_per_pixel = 0;  ///< In the mean, of the picture.
   int threads = 0;
   std::string accelerator;  ///< What finds the hits,
   std::string isa;          ///< and the instruction set of the search.

@@ -170,8 +170,9 @@ class RenderRun {
   }
 
   Result<void> RenderImage(const Integrator& integrator) {
-    RenderJob job(integrator, request_.render,
-                  request_.checkpoint ? Film::Keep::kSums : Film::Keep::kColours);
+    const RenderOptions& render = request_.render;
+    const bool keeps_sums = request_.checkpoint || (render.time_limit && !render.noise_target);
+    RenderJob job(integrator, render, keeps_sums ? Film::Keep::kSums : Film::Keep::kColours);
     EncodeOptions encoding = Encoding();
     encoding.tone = request_.output_options.tone;
     const ImageFormat format = *FormatOf(*request_.output);
@@ -198,6 +199,8 @@ class RenderRun {
     });
     if (!done) return done;
     statistics_.rays += job.Rays();
+    statistics_.samples_per_pixel =
+        static_cast<double>(job.SamplesInFilm()) / static_cast<double>(render.crop.PixelCount());
     statistics_.dropped_samples = job.Dropped().Count() + job.DroppedSplats();
     PrintRenderNotes(request_.program, job);
     // The picture is not lost because the checkpoint cannot be written.
@@ -275,7 +278,7 @@ class RenderRun {
     statistics_.integrator = request_.integrator;
     statistics_.width = request_.render.crop.Width();
     statistics_.height = request_.render.crop.Height();
-    statistics_.samples_per_pixel = request_.render.samples;
+    if (!request_.output) statistics_.samples_per_pixel = request_.render.samples;
     statistics_.threads = ThreadCount();
     statistics_.accelerator = AcceleratorName(loaded_->scene->tree().group->accelerator());
     statistics_.isa = IsaName(loaded_->scene->tree().group->isa());

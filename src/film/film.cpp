@@ -22,23 +22,61 @@ bool IsUsable(Rgb radiance, bool takes_negative) {
 
 }  // namespace
 
-void PixelSums::Add(Rgb radiance, float sample_weight) {
-  red.Add(radiance.x * sample_weight);
-  green.Add(radiance.y * sample_weight);
-  blue.Add(radiance.z * sample_weight);
-  weight.Add(sample_weight);
-}
-
-Rgb PixelSums::Mean() const {
-  const double divisor = weight.ToDouble();
-  if (divisor == 0) return {};
-  return ToFloat({red.ToDouble() / divisor, green.ToDouble() / divisor, blue.ToDouble() / divisor});
-}
-
 bool FilmTile::Add(int x, int y, Rgb radiance, float weight) {
   if (!IsUsable(radiance, takes_negative_)) return false;
-  sums_[IndexOf(x, y)].Add(radiance, weight);
+  const size_t index = IndexOf(x, y);
+  sums_[index].Add(radiance, weight);
+  if (!spreads_.empty()) spreads_[index].Add(radiance, weight);
   return true;
+}
+
+namespace {
+
+/// The mean without the largest quarter.
+double MeanOfLower(std::span<double> values) {
+  std::sort(values.begin(), values.end());
+  const size_t count = values.size() - values.size() / 4;
+  double sum = 0;
+  for (size_t i = 0; i < count; ++i) sum += values[i];
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+void FilmTile::ShareVariance() {
+  constexpr int kSide = 4;
+  shared_variance_.resize(sums_.size());
+  for (int y0 = window_.y0; y0 < window_.y1; y0 += kSide) {
+    for (int x0 = window_.x0; x0 < window_.x1; x0 += kSide) {
+      const PixelWindow square = window_.Intersection({x0, y0, x0 + kSide, y0 + kSide});
+      std::array<std::array<double, kSide * kSide>, 3> variances;
+      size_t count = 0;
+      ForEachIndex(square, [&](size_t i) {
+        const Vec3d variance = spreads_[i].Variance(sums_[i]);
+        for (int axis = 0; axis < 3; ++axis) variances[axis][count] = variance[axis];
+        ++count;
+      });
+      Vec3d shared;
+      for (int axis = 0; axis < 3; ++axis) {
+        shared[axis] = MeanOfLower({variances[axis].data(), count});
+      }
+      ForEachIndex(square, [&](size_t i) { shared_variance_[i] = shared; });
+    }
+  }
+}
+
+template <class Visit>
+void FilmTile::ForEachIndex(const PixelWindow& window, Visit visit) const {
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) visit(IndexOf(x, y));
+  }
+}
+
+PixelPart FilmTile::PartAt(int x, int y) const {
+  const size_t index = IndexOf(x, y);
+  return {&sums_[index], spreads_.empty() ? nullptr : &spreads_[index],
+          layers_.empty() ? nullptr : &layers_[index],
+          shared_variance_.empty() ? Vec3d() : shared_variance_[index]};
 }
 
 Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers)
@@ -47,66 +85,102 @@ Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers)
       recorded_(layers),
       colours_(3 * window.PixelCount()) {
   CHECK(window.x0 < window.x1 && window.y0 < window.y1);
-  CHECK(keep == Keep::kColours || layers.IsEmpty());  // The sums that are kept hold no layers.
   for (size_t i = 0; i < kLayerCount; ++i) {
     if (!layers.Has(static_cast<Layer>(i))) continue;
     layer_words_[i] = ZeroedArray<uint32_t>(Layers()[i].channels.size() * window.PixelCount());
   }
-  if (keep == Keep::kSums) sums_ = ZeroedArray<PixelSums>(window.PixelCount());
+  if (keep == Keep::kColours) return;
+  sums_ = ZeroedArray<PixelSums>(window.PixelCount());
+  if (layers.IsEmpty()) return;
+  spreads_ = ZeroedArray<PixelSpread>(window.PixelCount());
+  layers_ = ZeroedArray<PixelLayers>(window.PixelCount());
+}
+
+void Film::ClearTile(const PixelWindow& window, bool with_spread, FilmTile* tile) const {
+  const size_t count = window.PixelCount();
+  tile->window_ = window;
+  tile->takes_negative_ = takes_negative_;
+  tile->sums_.assign(count, PixelSums());
+  tile->spreads_.assign(with_spread ? count : 0, PixelSpread());
+  tile->shared_variance_.clear();
+  tile->layers_.assign(recorded_.IsEmpty() ? 0 : count, PixelLayers());
 }
 
 void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
   CHECK(window_.Contains(window));
-  tile->window_ = window;
-  tile->takes_negative_ = takes_negative_;
-  tile->sums_.assign(window.PixelCount(), PixelSums());
-  tile->layers_.assign(recorded_.IsEmpty() ? 0 : window.PixelCount(), PixelLayers());
+  ClearTile(window, !recorded_.IsEmpty(), tile);
   if (!sums_) return;
   const auto width = static_cast<size_t>(window.Width());
   for (int y = window.y0; y < window.y1; ++y) {
-    std::copy_n(&sums_[IndexOf(window.x0, y)], width,
-                &tile->sums_[static_cast<size_t>(y - window.y0) * width]);
+    const size_t from = IndexOf(window.x0, y), to = tile->IndexOf(window.x0, y);
+    std::copy_n(&sums_[from], width, &tile->sums_[to]);
+    if (!layers_) continue;
+    std::copy_n(&spreads_[from], width, &tile->spreads_[to]);
+    std::copy_n(&layers_[from], width, &tile->layers_[to]);
   }
 }
 
 void Film::EndTile(const FilmTile& tile) {
-  const PixelSums* sums = tile.sums_.data();
-  const PixelLayers* layers = tile.layers_.empty() ? nullptr : tile.layers_.data();
-  for (int y = tile.window_.y0; y < tile.window_.y1; ++y) {
-    for (int x = tile.window_.x0; x < tile.window_.x1; ++x, ++sums) {
+  const PixelWindow& window = tile.window_;
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
       const size_t index = IndexOf(x, y);
-      DevelopColour(index, *sums);
-      if (sums_) sums_[index] = *sums;
-      if (layers) DevelopLayers(index, *sums, *layers++);
+      const PixelPart part = tile.PartAt(x, y);
+      if (part.layers) {
+        Develop(index, PixelEstimate({&part, 1}));
+      } else {
+        SetColour(index, part.sums->Mean());
+      }
+      if (!sums_) continue;
+      sums_[index] = *part.sums;
+      if (!layers_) continue;
+      spreads_[index] = *part.spread;
+      layers_[index] = *part.layers;
     }
   }
 }
 
-void Film::DevelopColour(size_t index, const PixelSums& sums) {
-  const Rgb colour = sums.Mean();
+void Film::BeginSeries(const PixelWindow& window, FilmTile* tile) const {
+  CHECK(!sums_);
+  ClearTile(window, true, tile);
+}
+
+void Film::EndSeries(const FilmTile& a, const FilmTile& b) {
+  CHECK(a.window_ == b.window_);
+  const PixelWindow window = a.window_.Intersection(window_);
+  for (int y = window.y0; y < window.y1; ++y) {
+    for (int x = window.x0; x < window.x1; ++x) {
+      const std::array parts = {a.PartAt(x, y), b.PartAt(x, y)};
+      Develop(IndexOf(x, y), PixelEstimate(parts));
+    }
+  }
+}
+
+void Film::SetColour(size_t index, Rgb colour) {
   colours_[3 * index] = colour.x;
   colours_[3 * index + 1] = colour.y;
   colours_[3 * index + 2] = colour.z;
 }
 
+void Film::Develop(size_t index, const PixelEstimate& pixel) {
+  SetColour(index, pixel.Colour());
+  for (size_t i = 0; i < kLayerCount; ++i) {
+    if (!layer_words_[i]) continue;
+    const LayerEntry& entry = Layers()[i];
+    entry.develop(pixel, &layer_words_[i][entry.channels.size() * index]);
+  }
+}
+
 std::span<const PixelSums> Film::Sums() const {
-  CHECK(sums_);
+  CHECK(sums_ && !layers_);
   return {&sums_[0], window_.PixelCount()};
 }
 
 void Film::Restore(std::span<const PixelSums> sums) {
-  CHECK(sums_ && sums.size() == window_.PixelCount());
+  CHECK(sums_ && !layers_ && sums.size() == window_.PixelCount());
   for (size_t i = 0; i < sums.size(); ++i) {
     sums_[i] = sums[i];
-    DevelopColour(i, sums[i]);
-  }
-}
-
-void Film::DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers& layers) {
-  for (size_t i = 0; i < kLayerCount; ++i) {
-    if (!layer_words_[i]) continue;
-    const LayerEntry& entry = Layers()[i];
-    entry.develop(layers, sums, &layer_words_[i][entry.channels.size() * index]);
+    SetColour(i, sums[i].Mean());
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -10,7 +11,7 @@
 
 #include "base/check.h"
 #include "film/layers.h"
-#include "math/exact_sum.h"
+#include "film/pixel_estimate.h"
 #include "math/spectrum.h"
 
 namespace candela {
@@ -29,6 +30,11 @@ struct PixelWindow {
   }
   bool Contains(const PixelWindow& other) const {
     return other.x0 >= x0 && other.y0 >= y0 && other.x1 <= x1 && other.y1 <= y1;
+  }
+  /// The pixels that are in both; empty when x0 >= x1 or y0 >= y1.
+  PixelWindow Intersection(const PixelWindow& other) const {
+    return {std::max(x0, other.x0), std::max(y0, other.y0), std::min(x1, other.x1),
+            std::min(y1, other.y1)};
   }
   friend bool operator==(const PixelWindow&, const PixelWindow&) = default;
 };
@@ -53,17 +59,6 @@ class ZeroedArray {
   std::unique_ptr<T, Free> items_;
 };
 
-/// Everything a pixel has to remember to be continued: exact, so that no order of samples shows.
-struct PixelSums {
-  ExactSum red, green, blue, weight;
-
-  void Add(Rgb radiance, float sample_weight);
-  /// The weighted mean. Black while the weights sum to 0, which they do before the first sample.
-  Rgb Mean() const;
-
-  friend bool operator==(const PixelSums&, const PixelSums&) = default;
-};
-
 /// The sums of a small rectangle, owned by one thread and used for one tile after the other. It
 /// stays in the cache while a worker adds samples, and is what makes sums of a whole picture
 /// unnecessary.
@@ -74,10 +69,9 @@ class FilmTile {
   /// answer is false.
   bool Add(int x, int y, Rgb radiance, float weight);
 
-  /// Adds to the film's layers what else belongs to a sample that `Add` has taken; see
-  /// `PixelLayers::Add`.
-  void AddLayers(int x, int y, const SampleLayers& sample, Rgb radiance, float weight) {
-    layers_[IndexOf(x, y)].Add(sample, radiance, weight);
+  /// Adds to the film's layers what else belongs to a sample that `Add` has taken.
+  void AddLayers(int x, int y, const SampleLayers& sample, float weight) {
+    layers_[IndexOf(x, y)].Add(sample, weight);
   }
 
   /// What layers say of a pixel apart from its light; there have to be some.
@@ -85,14 +79,27 @@ class FilmTile {
 
   const PixelWindow& Window() const { return window_; }
 
+  /// Lets pixels of a series take the mean variance of the 4 x 4 around them for their own where it
+  /// is more, until samples are added. A pixel that has not met what is rare and bright is too dark
+  /// and looks too sure of that. The largest quarter does not count: an edge is not its
+  /// neighbours'.
+  void ShareVariance();
+
+  /// What is known of a pixel; valid as long as the tile is not changed.
+  PixelPart PartAt(int x, int y) const;
+
  private:
   friend class Film;
 
   size_t IndexOf(int x, int y) const { return window_.IndexOf(x, y); }
+  template <class Visit>
+  void ForEachIndex(const PixelWindow& window, Visit visit) const;
 
   PixelWindow window_;
   std::vector<PixelSums> sums_;
-  std::vector<PixelLayers> layers_;  ///< Empty for a film without layers.
+  std::vector<PixelSpread> spreads_;    ///< Empty when nobody asks how far colours may be off.
+  std::vector<Vec3d> shared_variance_;  ///< Empty before `ShareVariance`.
+  std::vector<PixelLayers> layers_;     ///< Empty for a film without layers.
   bool takes_negative_ = true;
 };
 
@@ -109,7 +116,7 @@ class Film {
  public:
   enum class Keep {
     kColours,  ///< 12 bytes per pixel; each pixel gets all its samples in one tile
-    kSums,     ///< 76 bytes per pixel; tiles may come again with more samples
+    kSums,     ///< 76 bytes per pixel, with layers 400; tiles may come again with more samples
   };
   enum class Negative {
     kTake,  ///< The course's model knows lights that take away.
@@ -125,6 +132,14 @@ class Film {
 
   /// Develops the pixels of the tile into the picture.
   void EndTile(const FilmTile& tile);
+
+  /// Prepares the tile for a series of samples that the film does not keep, together with what they
+  /// say of their own error. The window may reach beyond the film.
+  void BeginSeries(const PixelWindow& window, FilmTile* tile) const;
+
+  /// Develops the mean of two series of samples of the same window, as far as it lies within the
+  /// film; may be done again when there are more.
+  void EndSeries(const FilmTile& a, const FilmTile& b);
 
   /// What a tile with one sample of weight 1 for this pixel gives, at a fraction of the cost. For a
   /// film that keeps colours only, and no layers; different pixels may be set at the same time.
@@ -142,7 +157,7 @@ class Film {
   std::span<const float> Row(int y) const;
 
   bool KeepsSums() const { return static_cast<bool>(sums_); }
-  /// Of a film that keeps them: those of all pixels, row after row.
+  /// Of a film that keeps them, and has no layers: those of all pixels, row after row.
   std::span<const PixelSums> Sums() const;
   /// Goes on from such sums, as many as there are pixels.
   void Restore(std::span<const PixelSums> sums);
@@ -154,14 +169,17 @@ class Film {
 
  private:
   size_t IndexOf(int x, int y) const { return window_.IndexOf(x, y); }
-  void DevelopColour(size_t index, const PixelSums& sums);
-  void DevelopLayers(size_t index, const PixelSums& sums, const PixelLayers& layers);
+  void ClearTile(const PixelWindow& window, bool with_spread, FilmTile* tile) const;
+  void SetColour(size_t index, Rgb colour);
+  void Develop(size_t index, const PixelEstimate& pixel);
 
   PixelWindow window_;
   bool takes_negative_;
   LayerSet recorded_;
   ZeroedArray<float> colours_;
-  ZeroedArray<PixelSums> sums_;                                 ///< null for `Keep::kColours`
+  ZeroedArray<PixelSums> sums_;       ///< null for `Keep::kColours`
+  ZeroedArray<PixelSpread> spreads_;  ///< and these without layers too
+  ZeroedArray<PixelLayers> layers_;
   std::array<ZeroedArray<uint32_t>, kLayerCount> layer_words_;  ///< null for those not recorded
 };
 

@@ -12,7 +12,7 @@
 
 namespace candela {
 
-struct PixelSums;
+class PixelEstimate;
 
 /// What a picture can hold beside its colours.
 enum class Layer : uint8_t {
@@ -50,9 +50,9 @@ class LayerSet {
   uint32_t bits_ = 0;
 };
 
-/// Everything that the layers of a pixel have to remember, apart from the sum of its weights. The
-/// samples of a pixel come in their order, whoever renders it, so that plain sums are always the
-/// same: exact ones, as those of the colours are, take twice as long.
+/// Everything that the layers of a pixel have to remember, apart from the sum of its weights and
+/// its spread. The samples of a pixel come in their order, whoever renders it, so that plain sums
+/// are always the same.
 class PixelLayers {
  public:
   /// Whether a sample is nearer to the middle of the pixel than all that this was asked of before,
@@ -60,33 +60,26 @@ class PixelLayers {
   /// the pixel, whether its light counts or not.
   bool IsNearest(float distance, uint32_t index);
   void SetSurface(const SampleLayers::Surface& surface) { surface_ = surface; }
+  /// Whether its nearest sample is nearer than that of another series of samples.
+  bool IsNearerThan(const PixelLayers& other) const;
 
   /// Adds the light of a sample that the colours have taken.
-  void Add(const SampleLayers& sample, Rgb radiance, float weight);
+  void Add(const SampleLayers& sample, float weight);
 
-  uint32_t SampleCount() const { return count_; }
   const SampleLayers::Surface& Surface() const { return surface_; }
-  Rgb MeanAlbedo(const PixelSums& sums) const;
+  // Weighted sums.
+  Vec3d Albedo() const { return albedo_; }
   /// See `SampleLayers::light`. The three parts add up to the colour of the pixel, but for
   /// rounding.
-  Rgb MeanLight(const PixelSums& sums, size_t times_scattered) const;
-  /// The standard error of the pixel's colour, from the spread of its samples as if they were
-  /// independent. 0 for fewer than two.
-  Rgb StandardError(const PixelSums& sums) const;
+  Vec3d Light(size_t times_scattered) const { return light_[times_scattered]; }
 
  private:
   Vec3d albedo_;
   std::array<Vec3d, 3> light_;
-  Vec3d squares_;  ///< Of weight^2 L^2.
-  // By how much the sums of weight^2 L and of weight^2 exceed those of the pixel, of weight L and
-  // of weight: nothing for most filters, whose samples all weigh 1.
-  Vec3d weighted_excess_;
-  double weight_excess_ = 0;
   SampleLayers::Surface surface_;
   float distance_ = 0;  ///< Of the nearest sample, if there is one.
   uint32_t index_ = 0;
   bool has_nearest_ = false;
-  uint32_t count_ = 0;
 };
 
 /// A row of the table of layers.
@@ -97,7 +90,7 @@ struct LayerEntry {
   std::string_view description;
   /// Stores the values of a pixel, one 32-bit word for each channel as a file holds it: the bits of
   /// a float, or a whole number.
-  void (*develop)(const PixelLayers& layers, const PixelSums& sums, uint32_t* words);
+  void (*develop)(const PixelEstimate& pixel, uint32_t* words);
 };
 
 /// All layers; the index of a row is the number of its `Layer`.

@@ -15,10 +15,12 @@ namespace candela {
 /// One sample of one pixel, to be traced. Any list of them is legal: a tile, a crop, a
 /// continuation.
 struct SampleRequest {
-  uint32_t x = 0, y = 0;  ///< The pixel in the whole picture, from the top left.
-  uint32_t index = 0;     ///< The number of the sample in the pixel.
-  Vec2 image_point;       ///< Where it goes through the camera's image plane,
-  float spacing = 0;      ///< and how far from each other pixels are there; 0 when unknown.
+  /// The pixel in the whole picture, from the top left; the highest bit of y may be set to ask for
+  /// random numbers of their own.
+  uint32_t x = 0, y = 0;
+  uint32_t index = 0;  ///< The number of the sample in the pixel.
+  Vec2 image_point;    ///< Where it goes through the camera's image plane,
+  float spacing = 0;   ///< and how far from each other pixels are there; 0 when unknown.
 };
 
 /// Rays traced so far, by kind.

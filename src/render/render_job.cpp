@@ -27,104 +27,36 @@ class RenderJob::Worker {
  public:
   Worker(RenderJob* job, const SamplePlacer& placer, const CancelToken& cancel)
       : job_(*job),
-        placer_(placer),
-        cancel_(cancel),
-        clamp_(job->options_.clamp),
-        has_layers_(!job->options_.layers.IsEmpty()),
-        has_one_sample_(job->options_.samples == 1 && !has_layers_ && !job->film_.KeepsSums() &&
-                        job->options_.pattern == SamplePattern::kCentre),
-        workspace_(job->integrator_.MakeWorkspace()) {}
+        has_one_sample_(job->options_.samples == 1 && job->options_.layers.IsEmpty() &&
+                        !job->film_.KeepsSums() && job->options_.pattern == SamplePattern::kCentre),
+        tracer_(job->integrator_, job->options_, placer, cancel, &job->counters_) {}
 
-  /// Renders the samples from `begin` to before `end` of a tile. False when it is left because
-  /// `cancel` is set; then it does not come into the film.
+  /// Renders the samples from `begin` to before `end` of a tile. False when it is left because that
+  /// was asked for; then it does not come into the film.
   bool RenderTile(const PixelWindow& window, uint32_t begin, uint32_t end) {
-    dropped_of_tile_ = {};
-    lost_of_tile_ = {};
-    if (!has_one_sample_) job_.film_.BeginTile(window, &tile_);
-    bool is_cancelled = false;
-    ForEachPixel(window, [&](int x, int y) {
-      for (uint32_t index = begin; index < end; ++index) {
-        const SamplePlacer::Placed placed = placer_.Place(x, y, index);
-        requests_.push_back(placed.request);
-        weights_.push_back(placed.weight);
-        if (has_layers_) {
-          const bool is_nearest = tile_.LayersAt(x, y).IsNearest(placed.off_centre, index);
-          wants_surface_.push_back(is_nearest ? 1 : 0);
-        }
-        if (requests_.size() < kBatch) continue;
-        // Asked here, since a tile of many samples per pixel takes minutes.
-        is_cancelled = cancel_.IsCancelled();
-        if (is_cancelled) return false;
-        TraceBatch();
-      }
-      return true;
-    });
-    if (is_cancelled) {
-      requests_.clear();
-      weights_.clear();
-      wants_surface_.clear();
-      return false;
+    if (has_one_sample_) {
+      if (!tracer_.TraceOnlySample(window, &job_.film_)) return false;
+    } else {
+      job_.film_.BeginTile(window, &tile_);
+      if (!tracer_.Trace({begin, end}, &tile_)) return false;
+      job_.film_.EndTile(tile_);
     }
-    TraceBatch();
-    if (!has_one_sample_) job_.film_.EndTile(tile_);
     if (job_.splats_) AddSplats(window);
-    dropped_ += dropped_of_tile_;
-    lost_ += lost_of_tile_;
     return true;
   }
 
   /// Those numbered from `first` on.
   void TraceLightPaths(uint64_t first, uint64_t count, const SplatPlacer& placer) {
-    const uint64_t rays_before = workspace_->rays.Total();
+    const uint64_t rays_before = tracer_.Rays().Total();
     splats_.clear();
-    job_.integrator_.TraceLightPaths(first, count, workspace_.get(), &splats_);
+    job_.integrator_.TraceLightPaths(first, count, tracer_.GetWorkspace(), &splats_);
     for (const Splat& splat : splats_) placer.Add(splat, &*job_.splats_);
-    CountDone(count, rays_before);
+    job_.counters_.Add(count, tracer_.Rays().Total() - rays_before);
   }
 
-  const RayCounts& Rays() const { return workspace_->rays; }
-  /// What was left out since the last call.
-  DroppedSamples TakeDropped() { return std::exchange(dropped_, {}); }
-  ClampLoss TakeLost() { return std::exchange(lost_, {}); }
+  SampleTracer& Tracer() { return tracer_; }
 
  private:
-  static constexpr size_t kBatch = 1024;
-
-  void TraceBatch() {
-    const uint64_t rays_before = workspace_->rays.Total();
-    radiance_.resize(requests_.size());
-    if (has_layers_) layers_.resize(requests_.size());
-    job_.integrator_.Trace(
-        requests_, workspace_.get(),
-        {radiance_, layers_, job_.options_.layers.Has(Layer::kUv), wants_surface_});
-    for (size_t i = 0; i < requests_.size(); ++i) TakeSample(i);
-    wants_surface_.clear();
-    CountDone(requests_.size(), rays_before);
-    requests_.clear();
-    weights_.clear();
-  }
-
-  void TakeSample(size_t i) {
-    const int x = static_cast<int>(requests_[i].x), y = static_cast<int>(requests_[i].y);
-    // Of those nearer than all before them the last one is the nearest.
-    if (has_layers_ && wants_surface_[i]) tile_.LayersAt(x, y).SetSurface(layers_[i].surface);
-    const Rgb radiance = radiance_[i].ToRgb();
-    const float factor = clamp_.IsOn() ? clamp_.Factor(radiance) : 1;
-    const Rgb limited = radiance * factor;
-    const bool is_taken = has_one_sample_ ? job_.film_.SetOnlySample(x, y, limited)
-                                          : tile_.Add(x, y, limited, weights_[i]);
-    if (!is_taken) {
-      dropped_of_tile_.Add({x, y, requests_[i].index, radiance});
-      return;
-    }
-    if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, weights_[i], &lost_of_tile_);
-    if (!has_layers_) return;
-    if (factor < 1) {
-      for (Rgb& light : layers_[i].light) light *= factor;
-    }
-    tile_.AddLayers(x, y, layers_[i], limited, weights_[i]);
-  }
-
   void AddSplats(const PixelWindow& window) {
     const uint64_t paths = job_.LightPaths();
     ForEachPixel(window, [&](int x, int y) {
@@ -133,28 +65,12 @@ class RenderJob::Worker {
     });
   }
 
-  void CountDone(uint64_t samples, uint64_t rays_before) {
-    job_.samples_done_.fetch_add(samples, std::memory_order_relaxed);
-    job_.rays_traced_.fetch_add(workspace_->rays.Total() - rays_before, std::memory_order_relaxed);
-  }
-
   RenderJob& job_;
-  const SamplePlacer& placer_;
-  const CancelToken& cancel_;
-  const SampleClamp clamp_;
-  const bool has_layers_;
-  /// Pixels with one sample in their middle need no sums. The course's pictures are such.
+  /// Pixels with one sample in their middle need no sums.
   const bool has_one_sample_;
-  std::unique_ptr<Workspace> workspace_;
+  SampleTracer tracer_;
   FilmTile tile_;
-  std::vector<SampleRequest> requests_;
-  std::vector<float> weights_;
-  std::vector<Spectrum> radiance_;
-  std::vector<SampleLayers> layers_;    ///< Empty when nobody asks for layers.
-  std::vector<uint8_t> wants_surface_;  ///< The same; the nearest to the middle of their pixels.
   std::vector<Splat> splats_;
-  DroppedSamples dropped_, dropped_of_tile_;
-  ClampLoss lost_, lost_of_tile_;
 };
 
 RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options, Film::Keep keep)
@@ -162,9 +78,14 @@ RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options,
       options_(options),
       film_(options.crop, keep,
             options.drops_negative ? Film::Negative::kDrop : Film::Negative::kTake, options.layers),
-      tile_samples_(static_cast<size_t>(Tiles(options.crop, options.tile_size).Count())) {
+      tile_samples_(static_cast<size_t>(Tiles(options.crop, options.tile_size).Count())),
+      limit_(options.time_limit) {
+  if (options.noise_target) noise_run_.emplace(options, limit_, &film_);
+  CHECK(!options.time_limit || noise_run_ || keep == Film::Keep::kSums);
+  CHECK(!noise_run_ || keep == Film::Keep::kColours);
   if (!integrator.TracesLightPaths()) return;
-  CHECK(keep == Film::Keep::kColours);  // The sums of a film hold nothing of what paths bring.
+  // The sums of a film hold nothing of what paths bring.
+  CHECK(keep == Film::Keep::kColours && !noise_run_);
   splats_.emplace(options.crop);
 }
 
@@ -175,6 +96,19 @@ uint64_t RenderJob::LightPaths() const {
 
 uint64_t RenderJob::SamplesTotal() const {
   return options_.crop.PixelCount() * options_.samples + LightPaths();
+}
+
+double RenderJob::Progress() const {
+  if (noise_run_) return noise_run_->Progress();
+  const double of_samples =
+      static_cast<double>(SamplesDone()) / static_cast<double>(SamplesTotal());
+  return std::max(of_samples, limit_.PartOver());
+}
+
+double RenderJob::NoisyPart() const {
+  if (!noise_run_) return 0;
+  return static_cast<double>(noise_run_->NoisyPixels()) /
+         static_cast<double>(options_.crop.PixelCount());
 }
 
 void RenderJob::TraceLightPaths(const Workers& workers, const CancelToken& cancel) {
@@ -201,10 +135,11 @@ void RenderJob::Restore(const RenderState& state) {
   film_.Restore(state.sums);
   dropped_ = state.dropped;
   lost_ = state.lost;
-  samples_done_ = SamplesInFilm();
+  counters_.samples = SamplesInFilm();
 }
 
 uint64_t RenderJob::SamplesInFilm() const {
+  if (noise_run_) return noise_run_->SamplesInFilm();
   const Tiles tiles(options_.crop, options_.tile_size);
   uint64_t sum = 0;
   for (int64_t i = 0; i < tiles.Count(); ++i) {
@@ -213,26 +148,59 @@ uint64_t RenderJob::SamplesInFilm() const {
   return sum;
 }
 
+/// Where a pass ends that begins when all pixels have `done` samples.
+uint32_t RenderJob::PassEnd(uint32_t done) const {
+  if (!film_.KeepsSums()) return options_.samples;
+  // With a limit of time the first ones are short, to have something to end with.
+  const bool is_short = options_.time_limit && done < kSamplesOfPass;
+  const uint32_t end =
+      is_short ? std::max(2 * done, uint32_t{1}) : (done / kSamplesOfPass + 1) * kSamplesOfPass;
+  return std::min(end, options_.samples);
+}
+
+void RenderJob::TakeLosses(const Workers& workers) {
+  for (const auto& worker : workers) {
+    dropped_ += worker->Tracer().TakeDropped();
+    lost_ += worker->Tracer().TakeLost();
+  }
+}
+
 Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
                             const std::function<Result<void>()>& after_pass) {
   const SamplePlacer placer(options_);
-  const Tiles tiles(options_.crop, options_.tile_size);
   Workers workers(static_cast<size_t>(ThreadCount()));
   for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
-  // All of them come first: a pixel is done when its tile is.
-  TraceLightPaths(workers, cancel);
-  const uint32_t step = film_.KeepsSums() ? kSamplesOfPass : options_.samples;
-  // Passes that all tiles have been through are not made again.
-  const uint32_t least = *std::min_element(tile_samples_.begin(), tile_samples_.end());
-  uint32_t end = std::min(least, options_.samples - 1) / step * step;
-  while (end < options_.samples) {
-    end += std::min(step, options_.samples - end);
-    const bool is_last = end == options_.samples;
+  Result<void> done;
+  if (noise_run_) {
+    noise_run_->Run(cancel,
+                    [&](int worker) { return &workers[static_cast<size_t>(worker)]->Tracer(); });
+    TakeLosses(workers);
+  } else {
+    // All of them come first: a pixel is done when its tile is.
+    TraceLightPaths(workers, cancel);
+    done = RunPasses(workers, cancel, encoder, after_pass);
+  }
+  for (const auto& worker : workers) rays_ += worker->Tracer().Rays();
+  if (cancel.IsCancelled()) return Error{ErrorCode::kStopped, "stopped on request"};
+  return done;
+}
+
+Result<void> RenderJob::RunPasses(const Workers& workers, const CancelToken& cancel,
+                                  FilmEncoder* encoder,
+                                  const std::function<Result<void>()>& after_pass) {
+  const Tiles tiles(options_.crop, options_.tile_size);
+  // Passes that all tiles have been through are not made again, but for one that feeds the encoder.
+  uint32_t end = *std::min_element(tile_samples_.begin(), tile_samples_.end());
+  bool is_last = false;
+  while (!is_last) {
+    end = PassEnd(end);
+    is_last = end == options_.samples;
     RowFeed feed(tiles, is_last ? encoder : nullptr);
     ParallelForWorkers(tiles.Count(), [&](int64_t tile, int worker) {
       uint32_t& done = tile_samples_[static_cast<size_t>(tile)];
       if (cancel.IsCancelled()) return;
       if (done < end) {
+        if (done > 0 && limit_.IsOver()) return;
         const bool is_rendered =
             workers[static_cast<size_t>(worker)]->RenderTile(tiles.Window(tile), done, end);
         if (!is_rendered) return;
@@ -240,16 +208,11 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
       }
       feed.TileDone(tile);
     });
-    for (const auto& worker : workers) {
-      dropped_ += worker->TakeDropped();
-      lost_ += worker->TakeLost();
-    }
-    if (cancel.IsCancelled()) break;
+    TakeLosses(workers);
+    if (cancel.IsCancelled() || limit_.IsOver()) break;
     if (is_last || !after_pass) continue;
     if (auto went_on = after_pass(); !went_on) return went_on;
   }
-  for (const auto& worker : workers) rays_ += worker->Rays();
-  if (cancel.IsCancelled()) return Error{ErrorCode::kStopped, "stopped on request"};
   return {};
 }
 
@@ -260,6 +223,12 @@ uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrat
   uint64_t per_pixel = 12 + 12 + 6 + 8 + 8 + (with_first_hits ? 20 : 0);
   if (integrator.TracesLightPaths()) per_pixel += 48;  // See `SplatFilm`.
   if (with_sums) per_pixel += 3 * sizeof(PixelSums);   // And the file, and what is read from it.
+  if (options.noise_target) {
+    per_pixel += NoiseTargetRun::BytesPerPixel(options);
+  } else if (options.time_limit) {
+    per_pixel += sizeof(PixelSums);
+    if (!options.layers.IsEmpty()) per_pixel += sizeof(PixelSpread) + sizeof(PixelLayers);
+  }
   for (size_t i = 0; i < kLayerCount; ++i) {
     // The words of the film, and those of the file.
     const uint64_t channels = Layers()[i].channels.size();

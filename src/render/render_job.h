@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,8 +13,11 @@
 #include "film/splat_film.h"
 #include "integrators/integrator.h"
 #include "render/dropped_samples.h"
+#include "render/noise_target_run.h"
 #include "render/render_options.h"
 #include "render/sample_clamp.h"
+#include "render/sample_tracer.h"
+#include "render/time_limit.h"
 
 namespace candela {
 
@@ -32,15 +34,16 @@ struct RenderState {
 class RenderJob {
  public:
   /// Both have to outlive the job. One that keeps sums renders the picture in passes of a few
-  /// samples each, can be asked what it has done so far, and can go on from there another time;
-  /// that is not for integrators that trace light paths.
+  /// samples each, can be asked what it has done so far, and without layers can go on from there
+  /// another time. That is not for integrators that trace light paths, and not for a noise target;
+  /// a time limit needs one of the two.
   RenderJob(const Integrator& integrator, const RenderOptions& options,
             Film::Keep keep = Film::Keep::kColours);
 
   /// Runs to the end, or until `cancel` is set: then the error is `kStopped`. Once per job. An
   /// `encoder` of the job's film, if there is one, gets rows as soon as they are done.
-  /// `after_pass`, if there is one, is called after each pass but the last; its error ends the
-  /// work.
+  /// `after_pass`, if there is one, is called after each pass but the last of a job that keeps
+  /// sums; its error ends the work.
   Result<void> Run(const CancelToken& cancel, FilmEncoder* encoder = nullptr,
                    const std::function<Result<void>()>& after_pass = {});
 
@@ -55,11 +58,14 @@ class RenderJob {
   /// The picture: linear red, green and blue, unclamped, of the crop window.
   const Film& film() const { return film_; }
 
-  /// How far it is; may be asked from another thread while `Run` works. Light paths count as
-  /// samples.
-  uint64_t SamplesDone() const { return samples_done_.load(std::memory_order_relaxed); }
+  // How far it is; may be asked from another thread while `Run` works. Light paths count as
+  // samples.
+  uint64_t SamplesDone() const { return counters_.samples.load(std::memory_order_relaxed); }
+  /// The most that there can be.
   uint64_t SamplesTotal() const;
-  uint64_t RaysTraced() const { return rays_traced_.load(std::memory_order_relaxed); }
+  uint64_t RaysTraced() const { return counters_.rays.load(std::memory_order_relaxed); }
+  /// In [0, 1]: about which part of the way is done.
+  double Progress() const;
 
   /// All rays by kind, once `Run` has returned.
   const RayCounts& Rays() const { return rays_; }
@@ -68,6 +74,8 @@ class RenderJob {
   const ClampLoss& Lost() const { return lost_; }
   /// How many splats of light paths were left out because such light is not possible.
   uint64_t DroppedSplats() const { return splats_ ? splats_->DroppedSplats() : 0; }
+  /// What part of the pixels is in blocks that are still noisier than the noise target.
+  double NoisyPart() const;
 
  private:
   class Worker;
@@ -77,6 +85,10 @@ class RenderJob {
   /// that a crop gets the light that it has there.
   uint64_t LightPaths() const;
   void TraceLightPaths(const Workers& workers, const CancelToken& cancel);
+  uint32_t PassEnd(uint32_t done) const;
+  Result<void> RunPasses(const Workers& workers, const CancelToken& cancel, FilmEncoder* encoder,
+                         const std::function<Result<void>()>& after_pass);
+  void TakeLosses(const Workers& workers);
 
   const Integrator& integrator_;
   const RenderOptions& options_;
@@ -86,8 +98,9 @@ class RenderJob {
   RayCounts rays_;
   DroppedSamples dropped_;
   ClampLoss lost_;
-  std::atomic<uint64_t> samples_done_ = 0;
-  std::atomic<uint64_t> rays_traced_ = 0;
+  RenderCounters counters_;
+  const TimeLimit limit_;
+  std::optional<NoiseTargetRun> noise_run_;
 };
 
 /// Memory in bytes that a picture of this size takes from the first ray to the written file, apart

@@ -31,9 +31,17 @@ struct RenderOptions {
 
   SamplePattern pattern = SamplePattern::kCentre;
   std::string filter = "box";  ///< For `kFilter`: a name of `PixelFilters()`.
-  uint32_t samples = 1;        ///< Per pixel; `kStrataSamples` for strata.
+  uint32_t samples = 1;        ///< Per pixel, at most; `kStrataSamples` for strata.
   uint32_t seed = 0;
   SamplerType sampler;
+
+  /// The relative standard error above which a pixel is noisy. There are samples until in each
+  /// block few pixels are (see `NoiseBlock`), or as many as there may be. For samplers whose pixels
+  /// are independent, and not for strata.
+  std::optional<float> noise_target;
+  /// Seconds of rendering after which there are no more samples. Every pixel gets one. Not for
+  /// strata.
+  std::optional<double> time_limit;
 
   LayerSet layers;              ///< What is recorded beside the colours.
   std::optional<float> clamp;   ///< The most that a channel of a sample may have.

@@ -26,8 +26,8 @@ SamplePlacer::SamplePlacer(const RenderOptions& options)
   filter_.emplace(*entry);
 }
 
-FilterSample SamplePlacer::PositionInPixel(int x, int y, uint32_t index) const {
-  const Sampler sampler(seed_, static_cast<uint32_t>(x), static_cast<uint32_t>(y), index, sampler_);
+FilterSample SamplePlacer::PositionInPixel(int x, uint32_t row, uint32_t index) const {
+  const Sampler sampler(seed_, static_cast<uint32_t>(x), row, index, sampler_);
   const Vec2 u = sampler.Get2D(kFilmDimension);
   if (pattern_ == SamplePattern::kFilter) return filter_->Sample(u);
 

@@ -12,7 +12,7 @@
 namespace candela {
 
 /// Chooses where in a pixel each of its samples lies and what it counts. A pure function of
-/// options, pixel and sample.
+/// options, pixel, sample and series.
 class SamplePlacer {
  public:
   explicit SamplePlacer(const RenderOptions& options);
@@ -22,20 +22,30 @@ class SamplePlacer {
     float weight;
     float off_centre;  ///< The square of its distance from the middle of the pixel.
   };
-  Placed Place(int x, int y, uint32_t index) const {
+  /// Series 1 has random numbers that know nothing of those of series 0: they are those of a pixel
+  /// that no picture has.
+  Placed Place(int x, int y, uint32_t index, uint32_t series = 0) const {
+    const uint32_t row = static_cast<uint32_t>(y) | series << kSeriesBit;
     const FilterSample position =
-        pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, y, index);
-    return {{static_cast<uint32_t>(x), static_cast<uint32_t>(y), index,
-             plane_.PointOf(x, y, position.offset), plane_.Spacing()},
+        pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, row, index);
+    return {{static_cast<uint32_t>(x), row, index, plane_.PointOf(x, y, position.offset),
+             plane_.Spacing()},
             position.weight,
             position.offset.x * position.offset.x + position.offset.y * position.offset.y};
+  }
+
+  /// The row of the picture to which a sample belongs, of whatever series.
+  static int RowOf(const SampleRequest& request) {
+    return static_cast<int>(request.y & ~(uint32_t{1} << kSeriesBit));
   }
 
   /// The sample in the middle of the pixel, whatever the pattern.
   SampleRequest Centre(int x, int y) const;
 
  private:
-  FilterSample PositionInPixel(int x, int y, uint32_t index) const;
+  static constexpr uint32_t kSeriesBit = 31;
+
+  FilterSample PositionInPixel(int x, uint32_t row, uint32_t index) const;
 
   ImagePlane plane_;
   SamplePattern pattern_;

@@ -152,6 +152,56 @@ TEST_F(FilmOptionsTest, ClampTellsWhatItTakes) {
   ExpectUsageError({"-o", "o.exr", "--clamp", "0"}, "--clamp: expects a number above 0, found '0'");
 }
 
+TEST_F(FilmOptionsTest, NoiseTargetGivesSamplesWhereTheyAreNeeded) {
+  const auto render = [this](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> words = {"-o", name, "--aov", "sample_count,standard_error"};
+    words.insert(words.end(), more.begin(), more.end());
+    return RenderPath(words);
+  };
+  EXPECT_EQ(render("a.exr", {"--noise-target", "0.03", "--threads", "1"}).err, "");
+  EXPECT_EQ(render("b.exr", {"--noise-target", "0.03", "--threads", "3"}).status, 0);
+  EXPECT_TRUE(Bytes("a.exr") == Bytes("b.exr"));
+  const ExrPicture picture = Layers("a.exr");
+  std::set<float> counts;
+  for (int x : {0, 20, 39}) counts.insert(At(picture, "sample_count.X", x, 15));
+  EXPECT_EQ(counts.size(), 3u);  // Each block has as many as it needs.
+  EXPECT_GE(*counts.begin(), 32);
+  int quiet = 0;
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 40; ++x) {
+      if (At(picture, "standard_error.G", x, y) <= 0.03f * At(picture, "G", x, y)) ++quiet;
+    }
+  }
+  EXPECT_GE(quiet, 0.95 * 30 * 40);
+  const ProgramEnd end = render("c.exr", {"--noise-target", "0.001", "--samples", "40"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_THAT(end.err, testing::ContainsRegex("warning: [0-9.]+ % of the pixels are in blocks that "
+                                              "are still noisier than the noise target"));
+}
+
+TEST_F(FilmOptionsTest, TimeLimitEndsTheWork) {
+  const ProgramEnd end = RenderPath({"-o", "a.exr", "--time-limit", "0", "--stats"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_THAT(end.err, HasSubstr("1 samples each"));
+  EXPECT_EQ(RenderPath({"-o", "b.exr", "--samples", "1", "--filter", "box"}).status, 0);
+  EXPECT_EQ(Picture("a.exr"), Picture("b.exr"));
+}
+
+TEST_F(FilmOptionsTest, RefusesEndsThatCannotBe) {
+  ExpectUsageError({"-o", "o.exr", "--noise-target", "0"},
+                   "--noise-target: expects a number above 0, found '0'");
+  ExpectUsageError({"-o", "o.exr", "--time-limit", "-1"},
+                   "--time-limit: expects a number of at least 0, found '-1'");
+  ExpectUsageError({"-o", "o.exr", "--jitter", "--time-limit", "1"},
+                   "--jitter and --time-limit: give one of them");
+  ExpectUsageError({"-o", "o.exr", "--integrator", "light_trace", "--noise-target", "1"},
+                   "--noise-target: how many light paths 'light_trace' follows is known before it "
+                   "begins");
+  ExpectUsageError({"-o", "o.exr", "--noise-target", "1", "--checkpoint", "c"},
+                   "--checkpoint and --noise-target: a checkpoint holds pixels that all have as "
+                   "many samples");
+}
+
 TEST_F(FilmOptionsTest, SamplesThatAreNoLightAreNamed) {
   Put(folder_ / "box.txt",
       "Camera { center 0 0 4 direction 0 0 -1 up 0 1 0 fov 60 }\n"

@@ -144,6 +144,25 @@ TEST_F(SceneSettingsTest, ThoseThatExcludeEachOtherArePlaced) {
                 "samples to clamp");
 }
 
+// The same for what ends a picture, and for a noise that is not that of single pixels.
+TEST_F(SceneSettingsTest, EndsThatCannotBeReachedArePlaced) {
+  EXPECT_EQ(Checked("Render { integrator light_trace time_limit 2 }"),
+            "scene.txt:1:33: error: 'time_limit': how many light paths 'light_trace' follows is "
+            "known before it begins\n");
+  EXPECT_EQ(Checked("Render { integrator path sampler blue_noise noise_target 0.1 }"),
+            "scene.txt:1:45: error: 'noise_target': the noise of pixels with the sampler "
+            "'blue_noise' depends on their neighbours\n");
+  PutScene("Render { integrator path noise_target 0.1 samples 2 }");
+  const ProgramEnd end =
+      Candela({"render", "scene.txt", "-o", "a.exr", "--integrator", "light_trace"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err,
+            "scene.txt:1:26: warning: 'noise_target' has no effect: how many light paths "
+            "'light_trace' follows is known before it begins\n");
+  // Whoever asks for the course's samples gets them.
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "a.exr", "--jitter"}).err, "");
+}
+
 // They are warned of where they stand, in the scene or on the command line, and change nothing.
 TEST_F(SceneSettingsTest, ThoseThatTheIntegratorDoesNotKnowHaveNoEffect) {
   constexpr const char* kShadows = " has no effect with the integrator 'path'\n";

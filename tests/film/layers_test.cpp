@@ -7,6 +7,7 @@
 #include <set>
 
 #include "film/film.h"
+#include "film/pixel_estimate.h"
 
 namespace candela {
 namespace {
@@ -22,22 +23,37 @@ SampleLayers Seen(uint32_t object, float depth) {
 struct OnePixel {
   void Add(const SampleLayers& sample, Rgb radiance, float weight, float distance, uint32_t index) {
     sums.Add(radiance, weight);
+    spread.Add(radiance, weight);
     if (layers.IsNearest(distance, index)) layers.SetSurface(sample.surface);
-    layers.Add(sample, radiance, weight);
+    layers.Add(sample, weight);
   }
+  PixelPart Part() const { return {&sums, &spread, &layers}; }
   PixelSums sums;
+  PixelSpread spread;
   PixelLayers layers;
 };
 
+PixelEstimate EstimateOf(const OnePixel& pixel) {
+  const PixelPart part = pixel.Part();
+  return PixelEstimate({&part, 1});
+}
+
+Vec3 ColourOf(Layer layer, const PixelEstimate& pixel) {
+  uint32_t words[3] = {};
+  EntryOf(layer).develop(pixel, words);
+  return {std::bit_cast<float>(words[0]), std::bit_cast<float>(words[1]),
+          std::bit_cast<float>(words[2])};
+}
+
 float FloatOf(Layer layer, const OnePixel& pixel, size_t channel = 0) {
   uint32_t words[3] = {};
-  EntryOf(layer).develop(pixel.layers, pixel.sums, words);
+  EntryOf(layer).develop(EstimateOf(pixel), words);
   return std::bit_cast<float>(words[channel]);
 }
 
 uint32_t WholeOf(Layer layer, const OnePixel& pixel) {
   uint32_t word = 0;
-  EntryOf(layer).develop(pixel.layers, pixel.sums, &word);
+  EntryOf(layer).develop(EstimateOf(pixel), &word);
   return word;
 }
 
@@ -84,22 +100,44 @@ TEST(PixelLayers, LightAndAlbedoAreWeightedMeans) {
   other.AddLight(5, {1, 2, 3});
   pixel.Add(one, {12, 4, 4}, 3, 0, 0);
   pixel.Add(other, {2, 4, 6}, 1, 0, 1);
-  EXPECT_EQ(pixel.layers.MeanAlbedo(pixel.sums), (Rgb{0.75f, 0.375f, 0}));
-  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 0), (Rgb{6, 0, 0}));
-  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 1), (Rgb{3, 3, 3}));
-  EXPECT_EQ(pixel.layers.MeanLight(pixel.sums, 2), (Rgb{0.5f, 1, 1.5f}));
+  EXPECT_EQ(ColourOf(Layer::kAlbedo, EstimateOf(pixel)), (Rgb{0.75f, 0.375f, 0}));
+  EXPECT_EQ(ColourOf(Layer::kEmission, EstimateOf(pixel)), (Rgb{6, 0, 0}));
+  EXPECT_EQ(ColourOf(Layer::kDirect, EstimateOf(pixel)), (Rgb{3, 3, 3}));
+  EXPECT_EQ(ColourOf(Layer::kIndirect, EstimateOf(pixel)), (Rgb{0.5f, 1, 1.5f}));
 }
 
 // 1 and 3 have the mean 2 and the variance 2, so that of their mean is 1.
 TEST(PixelLayers, StandardErrorIsThatOfTheMean) {
   OnePixel pixel;
   pixel.Add({}, {1, 5, 0}, 1, 0, 0);
-  EXPECT_EQ(pixel.layers.StandardError(pixel.sums), (Rgb{0, 0, 0}));
+  EXPECT_EQ(EstimateOf(pixel).StandardError(), (Rgb{0, 0, 0}));
   pixel.Add({}, {3, 5, 0}, 1, 0, 1);
-  EXPECT_EQ(pixel.layers.StandardError(pixel.sums), (Rgb{1, 0, 0}));
+  EXPECT_EQ(EstimateOf(pixel).StandardError(), (Rgb{1, 0, 0}));
   // Five of each have the variance 10 / 9, and their mean has a tenth of that.
   for (uint32_t i = 2; i < 10; ++i) pixel.Add({}, {i % 2 ? 3.0f : 1.0f, 5, 0}, 1, 0, i);
-  EXPECT_FLOAT_EQ(pixel.layers.StandardError(pixel.sums).x, 1.0f / 3);
+  EXPECT_FLOAT_EQ(EstimateOf(pixel).StandardError().x, 1.0f / 3);
+}
+
+// Each of two series counts as much as the other, whatever their numbers of samples.
+TEST(PixelEstimate, IsTheMeanOfItsParts) {
+  OnePixel a, b, nothing;
+  SampleLayers sample = Seen(5, 1);
+  sample.albedo = {1, 0, 0};
+  a.Add(sample, {1, 5, 0}, 1, 0.2f, 0);
+  a.Add(sample, {3, 5, 0}, 1, 0.3f, 1);
+  sample.surface.object = 6;
+  sample.albedo = {0, 1, 0};
+  for (uint32_t i = 0; i < 4; ++i) b.Add(sample, {4, 5, 0}, 1, 0.1f, i);
+  const PixelPart parts[] = {a.Part(), b.Part(), nothing.Part()};
+  const PixelEstimate both({parts, 2});
+  EXPECT_EQ(both.Colour(), (Rgb{3, 5, 0}));
+  EXPECT_EQ(both.StandardError(), (Rgb{0.5f, 0, 0}));  // Of 1 and 0.
+  EXPECT_EQ(both.SampleCount(), 6u);
+  EXPECT_EQ(both.Nearest().Surface().object, 6u);
+  EXPECT_EQ(ColourOf(Layer::kAlbedo, both), (Vec3{0.5f, 0.5f, 0}));
+  // One of which no sample counts says nothing.
+  EXPECT_EQ(PixelEstimate({parts + 1, 2}).Colour(), (Rgb{4, 5, 0}));
+  EXPECT_EQ(PixelEstimate({parts + 2, 1}).Colour(), (Rgb{0, 0, 0}));
 }
 
 TEST(Film, KeepsTheLayersThatAreAskedFor) {
@@ -112,7 +150,7 @@ TEST(Film, KeepsTheLayersThatAreAskedFor) {
   sample.surface.uv = {0.25f, 0.75f};
   ASSERT_TRUE(tile.Add(4, 3, {1, 1, 1}, 1));
   tile.LayersAt(4, 3).SetSurface(sample.surface);
-  tile.AddLayers(4, 3, sample, {1, 1, 1}, 1);
+  tile.AddLayers(4, 3, sample, 1);
   film.EndTile(tile);
   EXPECT_THAT(film.LayerWords(Layer::kObjectId), testing::ElementsAre(0, 0, 42, 0, 0, 0));
   const auto uv = film.LayerWords(Layer::kUv);

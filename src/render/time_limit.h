@@ -1,0 +1,25 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "base/clock.h"
+
+namespace candela {
+
+/// How long work may go on; counts from its construction.
+class TimeLimit {
+ public:
+  /// Nothing: for ever.
+  explicit TimeLimit(std::optional<double> seconds) : seconds_(seconds) {}
+
+  bool IsOver() const { return seconds_ && clock_.Seconds() >= *seconds_; }
+  /// What part of the time is over; 0 without a limit.
+  double PartOver() const { return seconds_ ? std::min(1.0, clock_.Seconds() / *seconds_) : 0; }
+
+ private:
+  std::optional<double> seconds_;
+  Stopwatch clock_;
+};
+
+}  // namespace candela

@@ -38,8 +38,10 @@ NodePlace Product(const NodePlace& parent, const NodePlace& node, const SourceLo
     diagnostics->Error(where, [&] {
       return fmt::format(
           "the node moves in {} steps within one that moves in {}: together that makes {}, and at "
-          "most {} are possible; less 1, one number of steps should divide the other",
-          node.motion.size(), parent.motion.size(), parts + 1, NodeSpec::kMostSteps);
+          "most {} are possible; fewer it takes when one of {} and {}, the parts of their ways, "
+          "divides the other",
+          node.motion.size(), parent.motion.size(), parts + 1, NodeSpec::kMostSteps,
+          node.motion.size() - 1, parent.motion.size() - 1);
     });
     return product;
   }

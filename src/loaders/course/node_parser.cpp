@@ -59,17 +59,17 @@ void NodeParser::ParseItem(const Token& word, NodeSpec* node) {
 }
 
 void NodeParser::WarnIfReplaced(bool is_replaced, const Token& word) {
-  if (is_replaced) WarnIfReplaced(word.text, word);
+  if (is_replaced) WarnOfSecond(word.text, word);
 }
 
-void NodeParser::WarnIfReplaced(std::string_view name, const Token& word) {
+void NodeParser::WarnOfSecond(std::string_view name, const Token& word) {
   diagnostics_.Warning(tokens_.Where(word),
                        fmt::format("this node already has a {}; the last one counts", Quote(name)));
 }
 
 void NodeParser::TakePlace(const Token& word, NodeSpec* node) {
   if (node->transform_where.line != 0) {
-    WarnIfReplaced(node->motion.empty() ? "Transform" : "Keyframes", word);
+    WarnOfSecond(node->motion.empty() ? "Transform" : "Keyframes", word);
   }
   node->transform_where = tokens_.Where(word);
   node->motion.clear();

@@ -27,7 +27,7 @@ class NodeParser {
   TypedSpec ParseTyped(const Token& word,
                        BlockReader::Textures textures = BlockReader::Textures::kNone);
   void WarnIfReplaced(bool is_replaced, const Token& word);
-  void WarnIfReplaced(std::string_view name, const Token& word);
+  void WarnOfSecond(std::string_view name, const Token& word);
   /// For what `word` opens, a place of the node.
   void TakePlace(const Token& word, NodeSpec* node);
 

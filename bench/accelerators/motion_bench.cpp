@@ -36,10 +36,16 @@ Vec3 WayOf(const TriangleMesh& mesh) {
 
 using Built = Result<std::shared_ptr<const Group>>;
 
-Built AtRest(const TriangleMesh& mesh) {
-  auto group = Group::Build({GroupItem{TriangleInput{mesh.positions, mesh.triangles}}});
+Built BuildOf(GroupItem item) {
+  GroupInput input;
+  input.push_back(std::move(item));
+  auto group = Group::Build(std::move(input), {});
   if (!group) return group.error();
   return std::shared_ptr<const Group>(*std::move(group));
+}
+
+Built AtRest(const TriangleMesh& mesh) {
+  return BuildOf({TriangleInput{mesh.positions, mesh.triangles}});
 }
 
 /// Every second vertex goes all of the way, the others half of it.
@@ -48,16 +54,12 @@ Built Deforming(const TriangleMesh& mesh, Vec3 way) {
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     positions.push_back(mesh.positions[i] + way * (i % 2 == 0 ? 1.0f : 0.5f));
   }
-  auto group = Group::Build({GroupItem{TriangleInput{positions, mesh.triangles, 2}}});
-  if (!group) return group.error();
-  return std::shared_ptr<const Group>(*std::move(group));
+  return BuildOf({TriangleInput{positions, mesh.triangles, 2}});
 }
 
 Built MovingNode(const std::shared_ptr<const Group>& mesh, Vec3 way) {
   const std::vector<Mat4> steps = {Mat4::Identity(), Mat4::Translate(ToDouble(way))};
-  auto group = Group::Build({GroupItem{InstanceInput{mesh, steps}}});
-  if (!group) return group.error();
-  return std::shared_ptr<const Group>(*std::move(group));
+  return BuildOf({InstanceInput{mesh, steps}});
 }
 
 /// At times that are spread evenly, in no order.

@@ -45,7 +45,7 @@ bool DeformingMesh::Intersect(const Ray& ray, HitRecord* hit) const {
   const ShearedRay sheared(ray);
   bool found = false;
   for (uint32_t i = 0; i < spec_->triangles.size(); ++i) {
-    const auto& [a, b, c] = TriangleAt(i, ray.time).p;
+    const auto [a, b, c] = TriangleAt(i, ray.time).p;
     if (!IntersectTriangle(sheared, ray.t_min, a, b, c, hit)) continue;
     hit->primitive = i;
     found = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,16 @@ struct CameraConnection {
 /// at its start, and how much wider it gets per unit of length. Near the middle of the picture.
 struct CameraFootprint {
   float width = 0, spread = 0;
+};
+
+struct CameraMotion;
+
+/// The part of the time from 0 to 1 in which the camera is open to light.
+struct Shutter {
+  float open = 0, close = 1;  ///< 0 <= open <= close <= 1; light is gathered evenly in between.
+
+  /// For a number in [0, 1].
+  float TimeOf(float u) const { return open + (close - open) * u; }
 };
 
 /// What sends rays through the points of an image plane, where y goes upwards and -1 and 1 are the
@@ -63,6 +74,23 @@ class Camera {
   /// where it looks to all sides.
   virtual float DepthOf(Vec3 p) const = 0;
 
+  /// Whether it moves. Then the functions above speak of its place at time 0.
+  virtual bool IsMoving() const { return false; }
+  /// The same at a time in [0, 1]. A ray without a point of the lens goes through the middle of it;
+  /// its own time is for the caller to set.
+  virtual Ray GenerateRayAt(float /*time*/, Vec2 image_point, std::optional<Vec2> u) const {
+    return u ? GenerateRay(image_point, *u) : GenerateRay(image_point);
+  }
+  virtual std::optional<CameraConnection> ConnectAt(float /*time*/, Vec3 p, Vec2 u) const {
+    return Connect(p, u);
+  }
+  virtual float DepthAt(float /*time*/, Vec3 p) const { return DepthOf(p); }
+  /// The same camera, moving.
+  virtual std::unique_ptr<Camera> Moving(const CameraMotion& motion) const = 0;
+
+  const Shutter& shutter() const { return shutter_; }
+  void set_shutter(const Shutter& shutter) { shutter_ = shutter; }
+
   virtual CameraFootprint FootprintPerUnit() const = 0;
 
   /// The cosine of the angle between the ray of an image point and the axis of the lens, for a
@@ -76,6 +104,9 @@ class Camera {
 
   /// Where it stands and what it sees, in words.
   virtual std::string Description() const = 0;
+
+ private:
+  Shutter shutter_;
 };
 
 }  // namespace candela

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cameras/moving_camera.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -25,6 +26,10 @@ std::unique_ptr<Camera> FisheyeCamera::Create(ParamReader* params, CameraSpec vi
   const size_t mapping = params->Choice("mapping", kMappings, 0);
   view.fov_degrees = params->FullAngle("fov", 180);
   return std::make_unique<FisheyeCamera>(view, static_cast<FisheyeMapping>(mapping));
+}
+
+std::unique_ptr<Camera> FisheyeCamera::Moving(const CameraMotion& motion) const {
+  return std::make_unique<MovingCamera<FisheyeCamera>>(*this, motion);
 }
 
 std::string FisheyeCamera::Description() const {

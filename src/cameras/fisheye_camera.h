@@ -30,7 +30,12 @@ class FisheyeCamera final : public Camera {
   std::optional<CameraConnection> Connect(Vec3 p, Vec2 u) const override;
   float DepthOf(Vec3 p) const override { return Length(p - spec_.center); }
   CameraFootprint FootprintPerUnit() const override;
+  std::unique_ptr<Camera> Moving(const CameraMotion& motion) const override;
   std::string Description() const override;
+
+  const CameraSpec& spec() const { return spec_; }
+  /// The same kind of camera, at another place.
+  FisheyeCamera SeenFrom(const CameraSpec& view) const { return FisheyeCamera(view, mapping_); }
 
  private:
   CameraSpec spec_;

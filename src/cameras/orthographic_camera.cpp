@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cameras/moving_camera.h"
+
 namespace candela {
 
 OrthographicCamera::OrthographicCamera(const CameraSpec& spec, float height)
@@ -11,6 +13,10 @@ std::unique_ptr<Camera> OrthographicCamera::Create(ParamReader* params, CameraSp
   const float height = params->RequiredPositive("height");
   ReadLens(params, &view);
   return std::make_unique<OrthographicCamera>(view, height);
+}
+
+std::unique_ptr<Camera> OrthographicCamera::Moving(const CameraMotion& motion) const {
+  return std::make_unique<MovingCamera<OrthographicCamera>>(*this, motion);
 }
 
 std::string OrthographicCamera::Description() const {

@@ -26,7 +26,14 @@ class OrthographicCamera final : public Camera {
   CameraFootprint FootprintPerUnit() const override { return {half_height_, 0}; }
   bool IsPinhole() const override { return lens_.IsPinhole(); }
   bool IsInOnePlace() const override { return false; }
+  std::unique_ptr<Camera> Moving(const CameraMotion& motion) const override;
   std::string Description() const override;
+
+  const CameraSpec& spec() const { return spec_; }
+  /// The same kind of camera, at another place.
+  OrthographicCamera SeenFrom(const CameraSpec& view) const {
+    return OrthographicCamera(view, 2 * half_height_);
+  }
 
  private:
   CameraSpec spec_;

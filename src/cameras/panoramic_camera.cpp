@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cameras/moving_camera.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -17,6 +18,10 @@ PanoramicCamera::PanoramicCamera(const CameraSpec& spec)
 std::unique_ptr<Camera> PanoramicCamera::Create(ParamReader* params, CameraSpec view) {
   view.fov_degrees = params->HalfAngle("fov", 180);
   return std::make_unique<PanoramicCamera>(view);
+}
+
+std::unique_ptr<Camera> PanoramicCamera::Moving(const CameraMotion& motion) const {
+  return std::make_unique<MovingCamera<PanoramicCamera>>(*this, motion);
 }
 
 std::string PanoramicCamera::Description() const {

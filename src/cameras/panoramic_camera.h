@@ -28,7 +28,12 @@ class PanoramicCamera final : public Camera {
   void AddRepeats(Vec2 image_point, std::vector<Vec2>* others) const override;
   float DepthOf(Vec3 p) const override { return Length(p - spec_.center); }
   CameraFootprint FootprintPerUnit() const override;
+  std::unique_ptr<Camera> Moving(const CameraMotion& motion) const override;
   std::string Description() const override;
+
+  const CameraSpec& spec() const { return spec_; }
+  /// The same kind of camera, at another place.
+  PanoramicCamera SeenFrom(const CameraSpec& view) const { return PanoramicCamera(view); }
 
  private:
   /// Whether the picture reaches so far.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cameras/moving_camera.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -31,6 +32,10 @@ std::unique_ptr<Camera> PerspectiveCamera::Create(ParamReader* params, CameraSpe
   ReadTilt(params, &view);
   view.shift = params->Pair("shift", {0, 0});
   return std::make_unique<PerspectiveCamera>(view);
+}
+
+std::unique_ptr<Camera> PerspectiveCamera::Moving(const CameraMotion& motion) const {
+  return std::make_unique<MovingCamera<PerspectiveCamera>>(*this, motion);
 }
 
 std::string PerspectiveCamera::Description() const {

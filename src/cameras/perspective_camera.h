@@ -35,7 +35,12 @@ class PerspectiveCamera final : public Camera {
     return Dot(GenerateRay(image_point).direction, lens_.view());
   }
   bool IsPinhole() const override { return lens_.IsPinhole(); }
+  std::unique_ptr<Camera> Moving(const CameraMotion& motion) const override;
   std::string Description() const override;
+
+  const CameraSpec& spec() const { return spec_; }
+  /// The same kind of camera, at another place.
+  PerspectiveCamera SeenFrom(const CameraSpec& view) const { return PerspectiveCamera(view); }
 
  private:
   /// The image point that shows what lies at `way` from the centre; nothing when it is behind.

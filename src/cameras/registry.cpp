@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <string>
 
+#include "cameras/camera_motion.h"
 #include "cameras/fisheye_camera.h"
 #include "cameras/orthographic_camera.h"
 #include "cameras/panoramic_camera.h"
@@ -24,6 +26,19 @@ constexpr CameraEntry kCameras[] = {
     {"panoramic", &PanoramicCamera::Create, "type panoramic fov 180"},
 };
 
+Shutter ReadShutter(ParamReader* params) {
+  if (!params->Has("shutter_interval")) return {};
+  const Vec2 interval = params->Pair("shutter_interval", {0, 1});
+  if (0 <= interval.x && interval.x <= interval.y && interval.y <= 1) {
+    return {interval.x, interval.y};
+  }
+  params->Error(params->Where("shutter_interval"),
+                fmt::format("'shutter_interval' expects two times from 0 to 1, the earlier one "
+                            "first, found '{} {}'",
+                            interval.x, interval.y));
+  return {};
+}
+
 }  // namespace
 
 std::span<const CameraEntry> CameraEntries() {
@@ -41,9 +56,13 @@ std::unique_ptr<Camera> CreateCamera(const TypedSpec& spec, Diagnostics* diagnos
   params.Has("type");  // The loader has taken it.
   CameraSpec view;
   ReadView(&params, &view);
+  const std::optional<CameraMotion> motion = ReadMotion(&params, view);
+  const Shutter shutter = ReadShutter(&params);
   auto camera = entry->create(&params, view);
   params.Finish();
   if (spec.params.is_damaged || diagnostics->ErrorCount() > errors_before) return nullptr;
+  if (motion) camera = camera->Moving(*motion);
+  camera->set_shutter(shutter);
   if (HasUp(view)) return camera;
   params.Error(params.Where("up"), "'up' is parallel to 'direction'");
   return nullptr;

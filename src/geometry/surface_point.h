@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "math/transform.h"
+#include "math/moving_transform.h"
 #include "math/vec.h"
 
 namespace candela {
@@ -25,9 +25,10 @@ struct SurfacePoint {
   Vec2 uv{};
   Vec3 dpdu{}, dpdv{};  ///< How `p` moves with them; 0 where they say nothing.
   float footprint = 0;  ///< The width of what the ray stands for at the hit; 0 when unknown.
-  /// Into the space of the object's node, for textures that fill space; outlives the point. Null
-  /// where `p` is in that space.
-  const Transform* object_from_world = nullptr;
+  float time = 0;       ///< Of the ray, for what moves.
+  /// The space of the object's node, for textures that fill space; outlives the point. Null where
+  /// `p` is in that space.
+  const MovingTransform* object_space = nullptr;
 };
 
 }  // namespace candela

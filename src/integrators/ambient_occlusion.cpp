@@ -29,7 +29,8 @@ AmbientOcclusionIntegrator::AmbientOcclusionIntegrator(const Scene& scene,
     : scene_(scene),
       distance_(options.ao_distance.value_or(Ray().t_max)),
       seed_(options.seed),
-      sampler_(options.sampler) {}
+      sampler_(options.sampler),
+      times_(scene, options.seed, options.sampler) {}
 
 Result<std::unique_ptr<Integrator>> AmbientOcclusionIntegrator::Create(
     const Scene& scene, const IntegratorOptions& options) {
@@ -59,9 +60,10 @@ void AmbientOcclusionIntegrator::Follow(std::span<const SampleRequest> samples, 
     const SampleRequest& request = samples[i];
     const Sampler sampler(seed_, request.x, request.y, request.index, sampler_);
     paths.states()[i] = {i, sampler};
-    paths.rays()[i] = is_pinhole ? scene_.camera().GenerateRay(request.image_point)
-                                 : scene_.camera().GenerateRay(request.image_point,
-                                                               sampler.Get2D(kLensDimension));
+    std::optional<Vec2> u;
+    if (!is_pinhole) u = sampler.Get2D(kLensDimension);
+    const float time = times_.AreNeeded() ? times_.Draw(sampler) : 0;
+    paths.rays()[i] = CameraRayAt(scene_, time, request.image_point, u);
     output.radiance[i] = Spectrum();
     if (paths.rays()[i].direction != Vec3()) paths.MoveTo(started++, i);
   }
@@ -88,6 +90,7 @@ void AmbientOcclusionIntegrator::Follow(std::span<const SampleRequest> samples, 
     if (!(Dot(w, outward) > 0)) continue;  // The surface itself is in the way.
     Ray to_sky = SpawnRay(point, w);
     to_sky.t_max = distance_;
+    to_sky.time = ray.time;
     to_sky.mask = kShadowRay;
     batch->samples.push_back(sample);
     batch->rays_to_sky.push_back(to_sky);

@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "integrators/integrator.h"
+#include "integrators/shutter_times.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 
@@ -36,6 +37,7 @@ class AmbientOcclusionIntegrator final : public Integrator {
   float distance_;  ///< What is farther away is not in the way.
   uint32_t seed_;
   SamplerType sampler_;
+  ShutterTimes times_;
 };
 
 }  // namespace candela

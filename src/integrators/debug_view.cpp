@@ -82,7 +82,7 @@ struct DebugIntegrator::Batch final : Workspace {
 };
 
 DebugIntegrator::DebugIntegrator(const Scene& scene, const IntegratorOptions& options)
-    : scene_(scene), view_(options.view) {
+    : scene_(scene), view_(options.view), times_(scene, options.seed, options.sampler) {
   const Bounds3 bounds = scene.Bounds();
   const float size = bounds.IsEmpty() ? 0 : Length(bounds.Extent()) / 2;
   if (size > 0 && std::isfinite(size)) middle_depth_ = size;
@@ -91,7 +91,8 @@ DebugIntegrator::DebugIntegrator(const Scene& scene, const IntegratorOptions& op
   CheckPhysical(scene, "path", &unknown);
   if (unknown.HasErrors()) {
     worker_ = std::make_unique<WhittedIntegrator>(
-        scene, options.bounces.value_or(WhittedIntegrator::kUsualBounces), options.shadows);
+        scene, options.bounces.value_or(WhittedIntegrator::kUsualBounces), options.shadows,
+        options.seed, options.sampler);
   } else {
     worker_ = std::make_unique<PathIntegrator>(scene, options);
   }
@@ -128,7 +129,8 @@ void DebugIntegrator::ShowSurfaces(std::span<const SampleRequest> samples, Batch
   size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     paths.states()[i] = i;
-    paths.rays()[i] = scene_.camera().GenerateRay(samples[i].image_point);
+    const float time = times_.AreNeeded() ? times_.Draw(samples[i]) : 0;
+    paths.rays()[i] = CameraRayAt(scene_, time, samples[i].image_point);
     output.radiance[i] = Spectrum();
     if (paths.rays()[i].direction != Vec3()) paths.MoveTo(started++, i);
   }
@@ -181,7 +183,7 @@ Rgb DebugIntegrator::ColorOf(const Ray& ray, const HitRecord& hit) const {
       return Min(terms.diffuse + terms.specular, Rgb{1, 1, 1});
     }
     default: {
-      const float depth = std::max(0.0f, scene_.camera().DepthOf(point.p));
+      const float depth = std::max(0.0f, scene_.camera().DepthAt(ray.time, point.p));
       const float nearness = middle_depth_ / (middle_depth_ + depth);
       return {nearness, nearness, nearness};
     }

@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "integrators/integrator.h"
+#include "integrators/shutter_times.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -62,6 +63,7 @@ class DebugIntegrator final : public Integrator {
 
   const Scene& scene_;
   DebugView view_;
+  ShutterTimes times_;
   float middle_depth_ = 1;  ///< What is so far away is half as bright as it can be.
   /// What does the work of which the effort is shown; null for views of surfaces.
   std::unique_ptr<const Integrator> worker_;

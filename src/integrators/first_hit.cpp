@@ -2,14 +2,17 @@
 
 #include <vector>
 
+#include "integrators/shutter_times.h"
+
 namespace candela {
 
 void FindFirstHits(const Scene& scene, std::span<const Vec2> image_points,
                    std::span<FirstHit> first_hits) {
   std::vector<Ray> rays;
+  const float time = scene.IsMoving() ? scene.camera().shutter().TimeOf(0.5f) : 0;
   rays.reserve(image_points.size());
   for (const Vec2 image_point : image_points) {
-    rays.push_back(scene.camera().GenerateRay(image_point));
+    rays.push_back(CameraRayAt(scene, time, image_point));
   }
   std::vector<HitRecord> hits(rays.size());
   scene.Intersect(RayOrder::kCoherent, rays, hits);

@@ -116,7 +116,8 @@ LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorO
       has_media_(HasMedia(scene)),
       limits_(options),
       seed_(options.seed),
-      sampler_(TypeForOnePixel(options.sampler)) {
+      sampler_(TypeForOnePixel(options.sampler)),
+      times_(scene, seed_, sampler_) {
   std::vector<double> powers;
   double sum = 0;
   const auto add = [&](const Light& light) {
@@ -155,7 +156,7 @@ void LightTraceIntegrator::Check(const Scene& scene, Diagnostics* diagnostics) {
       });
       continue;
     }
-    const Bounds3 bounds = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
+    const Bounds3 bounds = object.WorldBounds();
     if (shines_from_afar && !bounds.IsFinite()) {
       diagnostics->Error(scene.PlaceOfObject(i), [&] {
         return fmt::format(
@@ -221,9 +222,10 @@ bool LightTraceIntegrator::Emit(Path* path, Ray* ray) const {
   path->flux = sample.flux * (1 / probabilities_[chosen]);
   *ray = SpawnRay(sample.origin, sample.direction);
   ray->mask = kReflectionRay;
+  if (times_.AreNeeded()) ray->time = times_.Draw(path->sampler);
   if (scene_.HasDispersion()) path->colour.Draw(path->sampler);
   // A path that goes on knows them from the surfaces that it has come through.
-  if (has_media_) path->media = MediaAround(scene_, ray->origin);
+  if (has_media_) path->media = MediaAround(scene_, ray->origin, ray->time);
   return true;
 }
 
@@ -271,7 +273,8 @@ void LightTraceIntegrator::Connect(const Path& path, uint32_t step, const PathVe
                                    Batch* batch) const {
   const bool is_pinhole = scene_.camera().IsPinhole();
   const Vec2 u = is_pinhole ? Vec2() : path.sampler.Get2D(BounceDimension(step) + kLens);
-  const std::optional<CameraConnection> camera = scene_.camera().Connect(vertex.point.p, u);
+  const std::optional<CameraConnection> camera =
+      scene_.camera().ConnectAt(vertex.time, vertex.point.p, u);
   if (!camera) return;
 
   // The value is for light that comes from the other direction, as a path from the camera would
@@ -296,6 +299,7 @@ void LightTraceIntegrator::Connect(const Path& path, uint32_t step, const PathVe
   }
 
   Ray ray = SpawnRay(vertex.point, wo);
+  ray.time = vertex.time;
   ray.t_max = camera->distance;
   ray.mask = kCameraRay;
   batch->camera_rays.push_back(ray);

@@ -12,6 +12,7 @@
 #include "geometry/ball.h"
 #include "integrators/integrator.h"
 #include "integrators/path.h"
+#include "integrators/shutter_times.h"
 #include "lights/light.h"
 #include "sampling/alias_table.h"
 #include "sampling/sampler.h"
@@ -76,6 +77,7 @@ class LightTraceIntegrator final : public Integrator {
   BounceLimits limits_;
   uint32_t seed_;
   SamplerType sampler_;
+  ShutterTimes times_;
 };
 
 }  // namespace candela

@@ -16,11 +16,12 @@ struct Exit {
 };
 
 /// In their order. Several bodies may have the same interior.
-std::vector<Exit> ExitsOf(const Scene& scene, Vec3 from, Vec3 direction) {
+std::vector<Exit> ExitsOf(const Scene& scene, Vec3 from, Vec3 direction, float time) {
   constexpr int kFarEnough = 100000;  // Surfaces: a line through a fractal has an end, too.
   std::vector<Exit> exits;
   std::vector<uint32_t> entered;
   Ray ray(from, direction);
+  ray.time = time;
   for (int i = 0; i < kFarEnough; ++i) {
     HitRecord hit;
     if (!scene.Intersect(ray, &hit)) break;
@@ -38,6 +39,7 @@ std::vector<Exit> ExitsOf(const Scene& scene, Vec3 from, Vec3 direction) {
       }
     }
     ray = SpawnRay(point, direction);
+    ray.time = time;
   }
   return exits;
 }
@@ -77,13 +79,13 @@ bool MediumStack::Contains(uint32_t interior) const {
          entered_.begin() + count_;
 }
 
-MediumStack MediaAround(const Scene& scene, Vec3 p) {
+MediumStack MediaAround(const Scene& scene, Vec3 p, float time) {
   MediumStack media;
   if (scene.interiors().empty()) return media;
   // Any direction does that is not along the usual walls.
   const Vec3 direction = Normalize(Vec3{0.36f, 0.51f, 0.78f});
-  const std::vector<Exit> ahead = ExitsOf(scene, p, direction);
-  std::vector<Exit> behind = ExitsOf(scene, p, -direction);
+  const std::vector<Exit> ahead = ExitsOf(scene, p, direction, time);
+  std::vector<Exit> behind = ExitsOf(scene, p, -direction, time);
   // A body is left both ways, but for one without end, like the water under a plane. Any other that
   // is left one way only is open, and what is behind its surface nobody can tell.
   std::vector<Exit> around;

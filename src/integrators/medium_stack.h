@@ -49,7 +49,7 @@ class MediumStack {
   uint32_t count_ = 0;
 };
 
-/// The bodies around a point, found by the surfaces that are met along a line through it.
-MediumStack MediaAround(const Scene& scene, Vec3 p);
+/// The bodies around a point at a time, found by the surfaces that are met along a line through it.
+MediumStack MediaAround(const Scene& scene, Vec3 p, float time);
 
 }  // namespace candela

@@ -43,11 +43,13 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
                                const PathTechniques& techniques)
     : scene_(scene),
       lights_(scene, techniques),
-      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin)),
-      starts_in_one_place_(scene.camera().IsInOnePlace() || scene.interiors().empty()),
+      media_at_camera_(MediaAround(scene, scene.camera().GenerateRay({0, 0}).origin, 0)),
+      starts_in_one_place_((scene.camera().IsInOnePlace() && !scene.IsMoving()) ||
+                           scene.interiors().empty()),
       limits_(options),
       seed_(options.seed),
       sampler_(options.sampler),
+      times_(scene, options.seed, options.sampler),
       has_roulette_(techniques.roulette),
       has_lift_(techniques.lift),
       beyond_light_paths_(techniques.beyond_light_paths) {}
@@ -79,7 +81,8 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   const CameraFootprint footprint = camera.FootprintPerUnit();
   PathState first;
   first.media = media_at_camera_;
-  if (is_pinhole) {
+  const bool is_moving = times_.AreNeeded();
+  if (is_pinhole && !is_moving) {
     const auto image_points = FirstOf(&batch->image_points, samples.size());
     for (size_t i = 0; i < samples.size(); ++i) image_points[i] = samples[i].image_point;
     camera.GenerateRays(image_points, paths.rays().data());
@@ -93,13 +96,17 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     path.cone = {request.spacing * footprint.width, request.spacing * footprint.spread};
     path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
     Ray& ray = paths.rays()[i];
-    if (!is_pinhole) {
+    if (is_moving) {
+      std::optional<Vec2> u;
+      if (!is_pinhole) u = path.sampler.Get2D(kLensDimension);
+      ray = CameraRayAt(scene_, times_.Draw(path.sampler), request.image_point, u);
+    } else if (!is_pinhole) {
       ray = camera.GenerateRay(request.image_point, path.sampler.Get2D(kLensDimension));
     }
     if (scene_.HasDispersion()) path.colour.Draw(path.sampler);
     output.Clear(i);
     if (ray.direction == Vec3()) continue;
-    if (!starts_in_one_place_) path.media = MediaAround(scene_, ray.origin);
+    if (!starts_in_one_place_) path.media = MediaAround(scene_, ray.origin, ray.time);
     paths.MoveTo(started++, i);
   }
   paths.Resize(started);
@@ -184,7 +191,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
 
 void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material, is_lifted, media_beyond] = vertex;
+  const auto& [point, wo, bsdf, material, is_lifted, time, media_beyond] = vertex;
   const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;

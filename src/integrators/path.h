@@ -10,6 +10,7 @@
 #include "integrators/path_lights.h"
 #include "integrators/path_state.h"
 #include "integrators/path_techniques.h"
+#include "integrators/shutter_times.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 
@@ -56,10 +57,11 @@ class PathIntegrator final : public Integrator {
   const Scene& scene_;
   PathLights lights_;
   MediumStack media_at_camera_;
-  bool starts_in_one_place_;  ///< If not, the media have to be found for each ray.
+  bool starts_in_one_place_;  ///< At all times. If not, the media have to be found for each ray.
   BounceLimits limits_;
   uint32_t seed_;
   SamplerType sampler_;
+  ShutterTimes times_;
   bool has_roulette_, has_lift_, beyond_light_paths_;
 };
 

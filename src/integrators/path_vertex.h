@@ -18,7 +18,7 @@ namespace candela {
 /// A surface that a path has met.
 struct PathVertex {
   PathVertex(const Scene& scene, const Ray& ray, const HitRecord& hit)
-      : point(scene.SurfaceAt(ray, hit)), wo(-Normalize(ray.direction)) {}
+      : point(scene.SurfaceAt(ray, hit)), wo(-Normalize(ray.direction)), time(ray.time) {}
   PathVertex(const SurfacePoint& surface_point, Vec3 w) : point(surface_point), wo(w) {}
 
   SurfacePoint point;
@@ -26,6 +26,7 @@ struct PathVertex {
   Bsdf bsdf;
   const Material* material;
   bool is_lifted = false;    ///< See `Scene::LiftOf`.
+  float time = 0;            ///< Of the path.
   MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
 
   /// Finds out what the surface does with light, once all else is known.
@@ -48,12 +49,15 @@ inline bool IsOnWrongSide(const PathVertex& vertex, Vec3 wi, bool is_transmissio
 }
 
 inline Ray LeavingRay(const PathVertex& vertex, Vec3 w) {
-  return SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
+  Ray ray = SpawnRay(vertex.point, w, vertex.is_lifted ? vertex.wo : w);
+  ray.time = vertex.time;
+  return ray;
 }
 
 /// The ray that goes on as if the surface were not there.
 inline Ray PassOn(const PathVertex& vertex) {
   Ray ray = SpawnRay(vertex.point, -vertex.wo);
+  ray.time = vertex.time;
   ray.mask = kReflectionRay;
   return ray;
 }

@@ -9,7 +9,7 @@ SampleLayers::Surface RecordSurface(const Scene& scene, const Ray& ray, const Hi
   surface.object = hit.object + 1;
   const SceneObject& object = scene.objects()[hit.object];
   surface.material = object.material + 1;
-  surface.depth = scene.camera().DepthOf(point.p);
+  surface.depth = scene.camera().DepthAt(ray.time, point.p);
   surface.position = point.p;
   surface.n_shading = towards_camera(point.n_shading);
   surface.n_geometric = towards_camera(point.n_geometric);

@@ -35,11 +35,12 @@ float Highlight(float cosine, float shininess) {
 
 /// A ray that leaves a point. Written in place, member by member: a ray that is made elsewhere and
 /// copied would wait for its own members to be stored.
-void StartRay(Vec3 p, Vec3 direction, uint32_t mask, float t_max, Ray* ray) {
+void StartRay(Vec3 p, Vec3 direction, uint32_t mask, float t_max, float time, Ray* ray) {
   ray->origin = p + direction * kOffset;
   ray->t_min = 0;
   ray->direction = direction;
   ray->t_max = t_max;
+  ray->time = time;
   ray->mask = mask;
 }
 
@@ -80,8 +81,9 @@ struct WhittedIntegrator::Batch final : Workspace {
   std::vector<uint8_t> is_shadowed;        ///< and whether something is in their way.
 };
 
-WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
-    : scene_(scene), bounces_(bounces), shadows_(shadows) {
+WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows,
+                                     uint32_t seed, SamplerType sampler)
+    : scene_(scene), bounces_(bounces), shadows_(shadows), times_(scene, seed, sampler) {
   for (const auto& light : scene.lights()) {
     if (!light->IsSurface()) sharp_lights_.push_back(light.get());
   }
@@ -89,8 +91,9 @@ WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool 
 
 Result<std::unique_ptr<Integrator>> WhittedIntegrator::Create(const Scene& scene,
                                                               const IntegratorOptions& options) {
-  return std::unique_ptr<Integrator>(std::make_unique<WhittedIntegrator>(
-      scene, options.bounces.value_or(kUsualBounces), options.shadows));
+  return std::unique_ptr<Integrator>(
+      std::make_unique<WhittedIntegrator>(scene, options.bounces.value_or(kUsualBounces),
+                                          options.shadows, options.seed, options.sampler));
 }
 
 std::unique_ptr<Workspace> WhittedIntegrator::MakeWorkspace() const {
@@ -123,7 +126,14 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   paths.Resize(samples.size());
   const auto image_points = FirstOf(&batch->image_points, samples.size());
   for (size_t i = 0; i < samples.size(); ++i) image_points[i] = samples[i].image_point;
-  const bool all_see = scene_.camera().GenerateRays(image_points, paths.rays().data());
+  bool all_see = false;
+  if (times_.AreNeeded()) {
+    for (size_t i = 0; i < samples.size(); ++i) {
+      paths.rays()[i] = CameraRayAt(scene_, times_.Draw(samples[i]), image_points[i]);
+    }
+  } else {
+    all_see = scene_.camera().GenerateRays(image_points, paths.rays().data());
+  }
   size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     if (output.HasLayers()) output.layers[i] = SampleLayers();
@@ -214,7 +224,8 @@ void WhittedIntegrator::FindShadows(const Light& light, RayOrder order, Batch* b
   for (size_t i = 0; i < count; ++i) {
     const Vec3 p = batch->shadings[i].p;
     const LightSample& sample = samples[i] = light.SampleIncident(p);
-    StartRay(p, sample.direction, kWholeShadowRay, ShadowLimit(sample.distance), &rays[i]);
+    StartRay(p, sample.direction, kWholeShadowRay, ShadowLimit(sample.distance),
+             batch->paths.rays()[i].time, &rays[i]);
   }
   batch->rays.shadow += count;
   scene_.Occluded(order, rays, FirstOf(&batch->is_shadowed, count));
@@ -289,7 +300,8 @@ void WhittedIntegrator::Reflect(uint32_t bounce, Batch* batch, const SampleOutpu
     observer->OnReflection(specular);
     const Vec3 reflected = Mirrored(paths.rays()[i].direction, shading.normal);
     paths.states()[left] = path;
-    StartRay(shading.p, reflected, kReflectionRay, Ray().t_max, &paths.rays()[left++]);
+    StartRay(shading.p, reflected, kReflectionRay, Ray().t_max, paths.rays()[i].time,
+             &paths.rays()[left++]);
   }
   paths.Resize(left);
   batch->rays.reflection += left;

@@ -8,6 +8,8 @@
 
 #include "base/result.h"
 #include "integrators/integrator.h"
+#include "integrators/shutter_times.h"
+#include "sampling/sampler.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -23,7 +25,9 @@ class WhittedIntegrator final : public Integrator {
   /// Reflections where nobody says how many.
   static constexpr uint32_t kUsualBounces = 0;
 
-  WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows);
+  /// Seed and sampler are for the times of samples, when something moves.
+  WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows, uint32_t seed = 0,
+                    SamplerType sampler = {});
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 
@@ -58,6 +62,7 @@ class WhittedIntegrator final : public Integrator {
   std::vector<const Light*> sharp_lights_;
   uint32_t bounces_;
   bool shadows_;
+  ShutterTimes times_;
 };
 
 }  // namespace candela

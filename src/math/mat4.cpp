@@ -6,12 +6,13 @@ namespace candela {
 namespace {
 
 bool FitsFloat(const Mat4& a) {
+  bool fits = true;  // All are looked at, which takes less time than to go as soon as one does not.
   for (const auto& row : a.m) {
     for (const double value : row) {
-      if (!std::isfinite(static_cast<float>(value))) return false;
+      fits &= std::abs(static_cast<float>(value)) <= std::numeric_limits<float>::max();
     }
   }
-  return true;
+  return fits;
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ const SamplerEntry* FindSampler(std::string_view name);
 inline constexpr uint32_t kFilmDimension = 0;  ///< a pair: the position within the pixel filter
 inline constexpr uint32_t kLensDimension = 2;  ///< a pair: the position on the camera's lens
 inline constexpr uint32_t kWavelengthDimension = 6;  ///< of a path from the camera or from a light
+inline constexpr uint32_t kTimeDimension = 8;        ///< of the same, when something moves
 inline constexpr uint32_t kCameraDimensions = 16;
 inline constexpr uint32_t kBounceDimensions = 16;
 

@@ -15,6 +15,7 @@
 #include "math/elementary.h"
 #include "scene/compile_interiors.h"
 #include "scene/compile_materials.h"
+#include "scene/node_places.h"
 #include "scene/resolved_params.h"
 #include "shapes/registry.h"
 #include "textures/daylight_map.h"
@@ -39,6 +40,7 @@ class SceneCompiler {
   std::unique_ptr<Scene> Compile() {
     scene_->camera_ = CreateCamera(spec_.camera, &diagnostics_,
                                    EmptiedParams(resolved_ ? &resolved_->camera : nullptr));
+    scene_->is_moving_ = scene_->camera_ && scene_->camera_->IsMoving();
     CompileBackground();
     node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
     materials_.emplace(spec_, node_interiors_.indices, &diagnostics_, resolved_);
@@ -93,18 +95,13 @@ class SceneCompiler {
   }
 
   void CompileNodes() {
-    std::vector<Mat4> world_from_node;
-    world_from_node.reserve(spec_.nodes.size());
+    const std::vector<NodePlace> world_from_node = PlacesOfNodes(spec_, &diagnostics_);
     for (size_t i = 0; i < spec_.nodes.size(); ++i) {
-      const NodeSpec& node = spec_.nodes[i];
-      const bool is_root = node.parent == NodeSpec::kNoParent;
-      world_from_node.push_back(is_root ? node.parent_from_node
-                                        : world_from_node[node.parent] * node.parent_from_node);
-      CompileNode(node, world_from_node.back(), resolved_ ? &resolved_->nodes[i] : nullptr);
+      CompileNode(spec_.nodes[i], world_from_node[i], resolved_ ? &resolved_->nodes[i] : nullptr);
     }
   }
 
-  void CompileNode(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
+  void CompileNode(const NodeSpec& node, const NodePlace& world_from_node, NodeSpec* resolved) {
     uint32_t light = SceneObject::kNoLight;
     if (node.light) light = CompileLight(node, world_from_node, resolved);
     if (node.object) CompileObject(node, world_from_node, light, resolved);
@@ -115,8 +112,9 @@ class SceneCompiler {
   }
 
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
-  uint32_t CompileLight(const NodeSpec& node, const Mat4& world_from_node, NodeSpec* resolved) {
-    const LightContext context{Transform(world_from_node), node.object.has_value(),
+  uint32_t CompileLight(const NodeSpec& node, const NodePlace& world_from_node,
+                        NodeSpec* resolved) {
+    const LightContext context{Transform(world_from_node.begin), node.object.has_value(),
                                EmptiedParams(resolved ? &*resolved->light : nullptr),
                                &materials_->textures(), &ies_files_};
     auto light = CreateLight(*node.light, context, &diagnostics_);
@@ -128,6 +126,14 @@ class SceneCompiler {
     }
     const auto index = static_cast<uint32_t>(scene_->lights_.size());
     const bool is_surface = light->IsSurface();
+    if (!is_surface && world_from_node.IsMoving()) {
+      diagnostics_.Error(node.light->where, [&] {
+        return fmt::format(
+            "a light of the type {} cannot move, as the 'Keyframes' of its node, or of "
+            "one around it, would have it; of all lights 'area' can",
+            Quote(node.light->type));
+      });
+    }
     if (is_surface) surface_lights_[index] = light.get();
     AddLight(std::move(light), node.light->type, node.light->where);
     return is_surface ? index : SceneObject::kNoLight;
@@ -139,8 +145,9 @@ class SceneCompiler {
     scene_->light_places_.push_back(where);
   }
 
-  void CompileObject(const NodeSpec& node, const Mat4& world_from_node, uint32_t light,
+  void CompileObject(const NodeSpec& node, const NodePlace& place, uint32_t light,
                      NodeSpec* resolved) {
+    const Mat4& world_from_node = place.begin;
     const TypedSpec& spec = *node.object;
     ShapeContext context{&diagnostics_, spec.where,
                          [this](const ParamWord& path) {
@@ -168,8 +175,13 @@ class SceneCompiler {
                                 DescriptionOf(spec)});
     const Material* made_of = materials_->At(*material);
     SceneObject& object = scene_->objects_.back();
-    object.node_from_world = object.object_from_world;
     object.is_textured = made_of && made_of->NeedsTextureCoordinates();
+    object.is_moving = place.IsMoving() || object.shape->IsMoving();
+    scene_->is_moving_ |= object.is_moving;
+    if (object.is_moving || object.is_textured) {
+      object.space = std::make_unique<const MovingTransform>(
+          place.IsMoving() ? place.motion : std::vector<Mat4>{world_from_node});
+    }
     object.has_holes = made_of && made_of->HasHoles();
     scene_->has_holes_ |= object.has_holes;
     object.interior = InteriorOf(node, made_of);
@@ -231,7 +243,9 @@ class SceneCompiler {
       SceneObject& object = scene_->objects_[i];
       if (object.shape->Triangles()) {
         const size_t copies = users[object.shape.get()];
-        object.is_instance = copies > 1 && copies * object.shape->PrimitiveCount() > kFewTriangles;
+        object.is_instance =
+            object.is_moving ||
+            (copies > 1 && copies * object.shape->PrimitiveCount() > kFewTriangles);
         object.is_baked = !object.is_instance;
         if (object.is_baked && !Bake(places_[i], &object)) continue;
       }
@@ -260,14 +274,18 @@ class SceneCompiler {
     return true;
   }
 
-  /// Tells the lights that are surfaces where these have come to lie.
+  /// Tells the lights that are surfaces where these have come to lie. Points of those that move
+  /// cannot be drawn, since that would take the time: their light is found by rays alone.
   void PlaceLights() {
     for (const SceneObject& object : scene_->objects_) {
       if (object.light == SceneObject::kNoLight) continue;
-      const Bounds3 box = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
-      surface_lights_[object.light]->SetSurface(
-          object.shape->MakeSampler(object.world_from_object, object.object_from_world),
-          box.Center(), Length(box.Extent()) / 2);
+      const Bounds3 box = object.WorldBounds();
+      std::unique_ptr<const SurfaceSampler> sampler;
+      if (!object.is_moving) {
+        sampler = object.shape->MakeSampler(object.world_from_object, object.object_from_world);
+      }
+      surface_lights_[object.light]->SetSurface(std::move(sampler), box.Center(),
+                                                Length(box.Extent()) / 2);
     }
   }
 

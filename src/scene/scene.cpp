@@ -3,53 +3,110 @@
 #include <cmath>
 #include <set>
 
+#include "base/check.h"
+
 namespace candela {
+
+namespace {
+
+/// Adds what a material with textures asks for, in object space.
+void AddTextureSpace(const SceneObject& object, const HitRecord& hit, SurfacePoint* point) {
+  object.shape->AddTextureCoordinates(hit, point);
+  point->object_space = object.space.get();
+}
+
+/// Takes the point of an object as whitted sees it into the world, but for `p` itself.
+void ToWorldForShading(const SceneObject& object, const Transform& object_from_world,
+                       SurfacePoint* point) {
+  if (object.is_textured) {
+    point->dpdu = point->dpdv = Vec3();
+    point->n_geometric = SceneObject::NormalToWorld(point->n_geometric, object_from_world);
+  }
+  point->n_shading = SceneObject::NormalToWorld(point->n_shading, object_from_world);
+}
+
+/// Takes the point of an object into the world. In place: a copy of the whole would have to wait
+/// for what has just been stored.
+void ToWorld(const SceneObject& object, const Transform& world_from_object,
+             const Transform& object_from_world, SurfacePoint* point) {
+  const bool is_flat = point->n_shading == point->n_geometric;
+  const Vec3 p = world_from_object.Point(point->p);
+  // A ray that leaves from here is taken back to object space, with a rounding error of its own.
+  const Vec3 way_back = object_from_world.PointError(p, {});
+  point->p_error = world_from_object.PointError(point->p, point->p_error + way_back);
+  point->p = p;
+  point->n_geometric = SceneObject::NormalToWorld(point->n_geometric, object_from_world);
+  point->n_shading = is_flat ? point->n_geometric
+                             : SceneObject::NormalToWorld(point->n_shading, object_from_world);
+  if (object.is_textured) {
+    point->dpdu = world_from_object.Vector(point->dpdu);
+    point->dpdv = world_from_object.Vector(point->dpdv);
+  }
+}
+
+/// Of an object that was hit, so that there are ways at that time.
+MovingTransform::Pair WaysAt(const SceneObject& object, float time) {
+  const auto ways = object.space->At(time);
+  CHECK(ways);
+  return *ways;
+}
+
+}  // namespace
 
 SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
+  if (object.is_moving) return MovingShadingAt(object, ray, hit);
   SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  if (object.is_textured) {
-    object.shape->AddTextureCoordinates(hit, &point);
-    point.dpdu = point.dpdv = Vec3();
-    point.n_geometric = object.NormalToWorld(point.n_geometric);
-    point.object_from_world = &object.node_from_world;
-  }
+  if (object.is_textured) AddTextureSpace(object, hit, &point);
+  ToWorldForShading(object, object.object_from_world, &point);
   point.p = ray.At(hit.t);
-  point.n_shading = object.NormalToWorld(point.n_shading);
+  return point;
+}
+
+SurfacePoint Scene::MovingShadingAt(const SceneObject& object, const Ray& ray,
+                                    const HitRecord& hit) const {
+  const Transform object_from_world = WaysAt(object, ray.time).object_from_world;
+  SurfacePoint point = object.shape->SurfaceAt(SceneObject::ToObject(ray, object_from_world), hit);
+  point.time = ray.time;
+  if (object.is_textured) AddTextureSpace(object, hit, &point);
+  ToWorldForShading(object, object_from_world, &point);
+  point.p = ray.At(hit.t);
   return point;
 }
 
 SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
+  if (object.is_moving) return MovingSurfaceAt(object, ray, hit);
   SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  if (object.is_textured) {
-    object.shape->AddTextureCoordinates(hit, &point);
-    point.object_from_world = &object.node_from_world;
-  }
-  const bool is_flat = point.n_shading == point.n_geometric;
+  if (object.is_textured) AddTextureSpace(object, hit, &point);
   if (object.is_baked) {
+    const bool is_flat = point.n_shading == point.n_geometric;
     if (!is_flat) point.n_shading = NormalizeAnyLength(point.n_shading);
     return point;
   }
-  // In place: a copy of the whole would have to wait for what has just been stored.
-  const Vec3 p = object.world_from_object.Point(point.p);
-  // A ray that leaves from here is taken back to object space, with a rounding error of its own.
-  const Vec3 way_back = object.object_from_world.PointError(p, {});
-  point.p_error = object.world_from_object.PointError(point.p, point.p_error + way_back);
-  point.p = p;
-  point.n_geometric = object.NormalToWorld(point.n_geometric);
-  point.n_shading = is_flat ? point.n_geometric : object.NormalToWorld(point.n_shading);
-  if (object.is_textured) {
-    point.dpdu = object.world_from_object.Vector(point.dpdu);
-    point.dpdv = object.world_from_object.Vector(point.dpdv);
-  }
+  ToWorld(object, object.world_from_object, object.object_from_world, &point);
+  return point;
+}
+
+SurfacePoint Scene::MovingSurfaceAt(const SceneObject& object, const Ray& ray,
+                                    const HitRecord& hit) const {
+  const auto [world_from_object, object_from_world] = WaysAt(object, ray.time);
+  SurfacePoint point = object.shape->SurfaceAt(SceneObject::ToObject(ray, object_from_world), hit);
+  point.time = ray.time;
+  if (object.is_textured) AddTextureSpace(object, hit, &point);
+  ToWorld(object, world_from_object, object_from_world, &point);
   return point;
 }
 
 Vec3 Scene::LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const {
   const SceneObject& object = objects_[hit.object];
+  if (object.is_moving) {
+    const auto [world_from_object, object_from_world] = WaysAt(object, point.time);
+    const Vec3 local = object_from_world.Point(point.p);
+    return world_from_object.Vector(object.shape->LiftOf(hit, local, point.time, is_inside));
+  }
   const Vec3 local = object.object_from_world.Point(point.p);
-  return object.world_from_object.Vector(object.shape->LiftOf(hit, local, is_inside));
+  return object.world_from_object.Vector(object.shape->LiftOf(hit, local, point.time, is_inside));
 }
 
 float Scene::Transparency(Ray ray) const {
@@ -66,16 +123,20 @@ float Scene::Transparency(Ray ray) const {
 }
 
 Vec2 Scene::TextureCoordinatesAt(const Ray& ray, const HitRecord& hit) const {
-  const Shape& shape = *objects_[hit.object].shape;
-  SurfacePoint local = shape.SurfaceAt(objects_[hit.object].ToObject(ray), hit);
-  shape.AddTextureCoordinates(hit, &local);
+  const SceneObject& object = objects_[hit.object];
+  const Ray local_ray = object.is_moving
+                            ? SceneObject::ToObject(ray, WaysAt(object, ray.time).object_from_world)
+                            : object.ToObject(ray);
+  SurfacePoint local = object.shape->SurfaceAt(local_ray, hit);
+  local.time = ray.time;
+  object.shape->AddTextureCoordinates(hit, &local);
   return local.uv;
 }
 
 Bounds3 Scene::Bounds() const {
   Bounds3 bounds;
   for (const SceneObject& object : objects_) {
-    const Bounds3 box = TransformBounds(object.world_from_object, object.shape->ObjectBounds());
+    const Bounds3 box = object.WorldBounds();
     if (box.IsFinite()) bounds.Extend(box);
   }
   return bounds;
@@ -86,6 +147,7 @@ uint64_t Scene::MemoryBytes() const {
   std::set<const Shape*> counted;
   for (const SceneObject& object : objects_) {
     bytes += sizeof object + sizeof(SourceLocation);
+    if (object.space) bytes += sizeof *object.space + object.space->steps().size() * sizeof(Mat4);
     if (counted.insert(object.shape.get()).second) bytes += object.shape->MemoryBytes();
   }
   for (const auto& texture : textures_) bytes += texture->MemoryBytes();

@@ -89,7 +89,11 @@ class Scene {
   /// The same of a light.
   const SourceLocation& PlaceOfLight(size_t index) const { return light_places_[index]; }
 
-  /// The box around all bounded objects.
+  /// Whether the answers to rays depend on their times: something moves while the shutter is open.
+  /// The camera may do so as well.
+  bool IsMoving() const { return is_moving_; }
+
+  /// The box around all bounded objects, wherever they come to be.
   Bounds3 Bounds() const;
   /// What finds the hits.
   const SceneTree& tree() const { return tree_; }
@@ -99,6 +103,12 @@ class Scene {
  private:
   friend class SceneCompiler;
   Scene() = default;
+
+  // The same for objects that move.
+  SurfacePoint MovingShadingAt(const SceneObject& object, const Ray& ray,
+                               const HitRecord& hit) const;
+  SurfacePoint MovingSurfaceAt(const SceneObject& object, const Ray& ray,
+                               const HitRecord& hit) const;
 
   std::unique_ptr<const Camera> camera_;
   Background background_;
@@ -114,6 +124,7 @@ class Scene {
   SceneTree tree_;
   bool has_holes_ = false;
   bool has_dispersion_ = false;
+  bool is_moving_ = false;
 };
 
 }  // namespace candela

@@ -20,10 +20,15 @@ class SceneTreeBuilder {
 
   Result<SceneTree> Build() {
     GroupInput input(objects_.size());
-    tree_.primitives.reserve(objects_.size());  // The group keeps their addresses.
+    // The group keeps their addresses.
+    tree_.primitives.reserve(objects_.size());
+    tree_.moving_primitives.reserve(objects_.size());
     for (size_t i = 0; i < objects_.size(); ++i) {
       const auto triangles = objects_[i].shape->Triangles();
-      if (!triangles) {
+      if (!triangles && objects_[i].is_moving) {
+        tree_.moving_primitives.emplace_back(objects_[i]);
+        input[i].content = PrimitiveInput{&tree_.moving_primitives.back()};
+      } else if (!triangles) {
         tree_.primitives.emplace_back(objects_[i]);
         input[i].content = PrimitiveInput{&tree_.primitives.back()};
       } else if (!objects_[i].is_instance) {
@@ -31,7 +36,9 @@ class SceneTreeBuilder {
       } else {
         auto group = GroupOf(objects_[i].shape.get(), *triangles);
         if (!group) return group.error();
-        input[i].content = InstanceInput{*std::move(group), {world_from_object_[i]}};
+        std::vector<Mat4> steps = {world_from_object_[i]};
+        if (objects_[i].is_moving) steps = objects_[i].space->steps();
+        input[i].content = InstanceInput{*std::move(group), std::move(steps)};
       }
       if (objects_[i].has_holes) input[i].mask = kAnyRay & ~uint32_t{kShadowRay};
     }
@@ -82,7 +89,8 @@ void SceneTree::Occluded(RayOrder order, std::span<const Ray> rays,
 }
 
 uint64_t SceneTree::MemoryBytes() const {
-  uint64_t bytes = group->MemoryBytes() + primitives.capacity() * sizeof(ObjectPrimitive);
+  uint64_t bytes = group->MemoryBytes() + primitives.capacity() * sizeof(ObjectPrimitive) +
+                   moving_primitives.capacity() * sizeof(MovingObjectPrimitive);
   for (const auto& mesh : mesh_groups) bytes += mesh->MemoryBytes();
   return bytes;
 }

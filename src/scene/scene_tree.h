@@ -17,6 +17,7 @@ namespace candela {
 /// has in the scene.
 struct SceneTree {
   std::vector<ObjectPrimitive> primitives;  ///< The group refers to them.
+  std::vector<MovingObjectPrimitive> moving_primitives;
   /// Those of meshes that several objects have, in object space; the group holds instances of them.
   std::vector<std::shared_ptr<const Group>> mesh_groups;
   std::unique_ptr<const Group> group;
@@ -33,8 +34,8 @@ struct SceneTree {
 };
 
 /// Builds the groups, all with the same accelerator. The matrices are those of the objects, in
-/// double, for the instances among them. The objects have to stay where they are. Fails with
-/// `kResources`.
+/// double, for the instances among them that do not move. The objects have to stay where they are.
+/// Fails with `kResources`.
 Result<SceneTree> BuildSceneTree(std::span<const SceneObject> objects,
                                  std::span<const Mat4> world_from_object,
                                  AcceleratorKind accelerator);

@@ -83,7 +83,13 @@ struct NodeSpec {
   static constexpr uint32_t kNoParent = 0xFFFFFFFF;
 
   uint32_t parent = kNoParent;
+  /// At how many moments at most it is said where something is that moves.
+  static constexpr size_t kMostSteps = 1000;
+
   Mat4 parent_from_node = Mat4::Identity();
+  /// Of a node that moves, in place of it: the matrices at times evenly spread over 0 to 1, two to
+  /// `kMostSteps`, linear element by element in between. Else empty.
+  std::vector<Mat4> motion;
   SourceLocation transform_where;
   std::optional<TypedSpec> object;
   std::optional<TypedSpec> light;

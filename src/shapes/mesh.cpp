@@ -1,8 +1,11 @@
 #include "shapes/mesh.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "geometry/triangle.h"
+#include "shapes/deforming_mesh.h"
 #include "shapes/shape_context.h"
 
 namespace candela {
@@ -13,11 +16,25 @@ Vec3 UnitOrZero(Vec3d v) {
   return length > 0 ? ToFloat(v / length) : Vec3();
 }
 
+std::shared_ptr<const Shape> CreateDeforming(std::shared_ptr<const MeshSpec> begin,
+                                             ParamReader* params, ShapeContext* context) {
+  const ParamWord path = params->RequiredPath("obj_file_end");
+  auto end = path.text.empty() ? nullptr : context->find_mesh(path);
+  if (!begin || !end) return nullptr;
+  if (const char* difference = DeformingMesh::FindDifference(*begin, *end)) {
+    params->Error(path.where,
+                  fmt::format("the mesh of 'obj_file' cannot become this one: {}", difference));
+    return nullptr;
+  }
+  return std::make_shared<DeformingMesh>(std::move(begin), std::move(end));
+}
+
 }  // namespace
 
 std::shared_ptr<const Shape> Mesh::Create(ParamReader* params, ShapeContext* context) {
   const ParamWord path = params->RequiredPath("obj_file");
   auto spec = path.text.empty() ? nullptr : context->find_mesh(path);
+  if (params->Has("obj_file_end")) return CreateDeforming(std::move(spec), params, context);
   if (!spec) return nullptr;
   std::shared_ptr<const Shape>& mesh = (*context->made_of_meshes)[spec];
   if (!mesh) mesh = std::make_shared<Mesh>(std::move(spec));
@@ -57,8 +74,23 @@ bool Mesh::HasNormal(size_t triangle, size_t corner) const {
   return index != MeshSpec::kNoNormal && normals_[index] != Vec3();
 }
 
-Vec3 Mesh::CornerNormal(size_t triangle, size_t corner, Vec3 face_normal) const {
-  return HasNormal(triangle, corner) ? normals_[normal_corners_[triangle][corner]] : face_normal;
+MeshTriangle Mesh::TriangleAt(uint32_t triangle) const {
+  const auto& [a, b, c] = spec_->triangles[triangle];
+  const Corners& normals = normal_corners_[triangle];
+  const auto normal = [&](uint32_t index) {
+    return index == MeshSpec::kNoNormal ? Vec3() : normals_[index];
+  };
+  return {{positions_[a], positions_[b], positions_[c]},
+          {normal(normals[0]), normal(normals[1]), normal(normals[2])},
+          is_mirrored_};
+}
+
+std::array<Vec2, 3> Mesh::UvsOf(uint32_t triangle) const {
+  constexpr std::array<Vec2, 3> kOwn = {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}};
+  if (spec_->uv_corners.empty()) return kOwn;
+  const auto& [a, b, c] = spec_->uv_corners[triangle];
+  if (a == MeshSpec::kNoUv || b == MeshSpec::kNoUv || c == MeshSpec::kNoUv) return kOwn;
+  return {spec_->uvs[a], spec_->uvs[b], spec_->uvs[c]};
 }
 
 Vec3 Mesh::FaceNormal(size_t triangle) const {
@@ -82,39 +114,11 @@ bool Mesh::Intersect(const Ray& ray, HitRecord* hit) const {
 }
 
 SurfacePoint Mesh::SurfaceAt(const Ray&, const HitRecord& hit) const {
-  const auto& corners = spec_->triangles[hit.primitive];
-  const Vec3 a = positions_[corners[0]];
-  const Vec3 b = positions_[corners[1]];
-  const Vec3 c = positions_[corners[2]];
-  const Vec3 face_normal = FaceNormal(hit.primitive);
-  const Vec3 blended = CornerNormal(hit.primitive, 0, face_normal) * (1 - hit.u - hit.v) +
-                       CornerNormal(hit.primitive, 1, face_normal) * hit.u +
-                       CornerNormal(hit.primitive, 2, face_normal) * hit.v;
-  return {TrianglePoint(a, b, c, hit.u, hit.v), TrianglePointError(a, b, c, hit.u, hit.v),
-          face_normal, blended == Vec3() ? face_normal : blended};
+  return TriangleAt(hit.primitive).SurfaceAt(hit);
 }
 
-// Hanika, "Hacking the Shadow Terminator" (in "Ray Tracing Gems II", 2021): the mean of the point
-// as it lies in the tangential planes of the corners. Only where it lies below all of them:
-// elsewhere the normals lean without that the surface were round. And only where they lean by less
-// than 45 degrees: more is an edge that is smoothed over, as of a cube, from whose sides points
-// would be lifted into what the cube stands on.
-Vec3 Mesh::LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const {
-  const auto& corners = spec_->triangles[hit.primitive];
-  const float weights[] = {1 - hit.u - hit.v, hit.u, hit.v};
-  const float side = is_inside ? -1.0f : 1.0f;
-  const Vec3 a = positions_[corners[0]], b = positions_[corners[1]], c = positions_[corners[2]];
-  const Vec3 area = Cross(b - a, c - a);
-  const float half_squared = LengthSquared(area) / 2;
-  Vec3 lift{};
-  for (size_t k = 0; k < 3; ++k) {
-    if (!HasNormal(hit.primitive, k)) return {};
-    const Vec3 n = NormalizeAnyLength(normals_[normal_corners_[hit.primitive][k]]) * side;
-    const float height = Dot(p - positions_[corners[k]], n), leaning = Dot(n, area);
-    if (!(height <= 0) || !(leaning * leaning > half_squared)) return {};
-    lift += n * (-height * weights[k]);
-  }
-  return lift;
+Vec3 Mesh::LiftOf(const HitRecord& hit, Vec3 p, float, bool is_inside) const {
+  return TriangleAt(hit.primitive).LiftOf(hit, p, is_inside);
 }
 
 std::optional<TriangleInput> Mesh::Triangles() const {
@@ -128,26 +132,8 @@ uint64_t Mesh::MemoryBytes() const {
          bytes(spec_->normal_corners) + bytes(spec_->uvs) + bytes(spec_->uv_corners);
 }
 
-// Over a triangle the position is linear in the coordinates: its edges are those of the coordinates
-// times the derivatives, which is solved for these.
 void Mesh::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
-  const auto& [ia, ib, ic] = spec_->triangles[hit.primitive];
-  const Vec3 ab = positions_[ib] - positions_[ia], ac = positions_[ic] - positions_[ia];
-  Vec2 a{0, 0}, b{1, 0}, c{0, 1};
-  if (!spec_->uv_corners.empty()) {
-    const auto& [ta, tb, tc] = spec_->uv_corners[hit.primitive];
-    if (ta != MeshSpec::kNoUv && tb != MeshSpec::kNoUv && tc != MeshSpec::kNoUv) {
-      a = spec_->uvs[ta];
-      b = spec_->uvs[tb];
-      c = spec_->uvs[tc];
-    }
-  }
-  point->uv = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
-  const Vec2 b_a = b - a, c_a = c - a;
-  const float area = b_a.x * c_a.y - b_a.y * c_a.x;
-  if (area == 0) return;  // All corners lie on a line of the texture.
-  point->dpdu = (ab * c_a.y - ac * b_a.y) * (1 / area);
-  point->dpdv = (ac * b_a.x - ab * c_a.x) * (1 / area);
+  TriangleAt(hit.primitive).AddTextureCoordinates(UvsOf(hit.primitive), hit, point);
 }
 
 }  // namespace candela

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "scene_spec/mesh_spec.h"
 #include "scene_spec/param_reader.h"
+#include "shapes/mesh_triangle.h"
 #include "shapes/shape.h"
 
 namespace candela {
@@ -18,7 +20,8 @@ struct ShapeContext;
 class Mesh final : public Shape {
  public:
   explicit Mesh(std::shared_ptr<const MeshSpec> spec);
-  /// Null when its file could not be loaded. Objects of the same file get the same mesh.
+  /// Null when its file could not be loaded. Objects of the same file get the same mesh. With a
+  /// second file it is a `DeformingMesh`.
   static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
 
   Bounds3 ObjectBounds() const override { return bounds_; }
@@ -27,13 +30,17 @@ class Mesh final : public Shape {
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
   void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const override;
-  Vec3 LiftOf(const HitRecord& hit, Vec3 p, bool is_inside) const override;
+  Vec3 LiftOf(const HitRecord& hit, Vec3 p, float time, bool is_inside) const override;
   std::optional<TriangleInput> Triangles() const override;
   std::unique_ptr<const SurfaceSampler> MakeSampler(
       const Transform& world_from_object, const Transform& object_from_world) const override;
   std::shared_ptr<const Shape> Baked(const Mat4& world_from_object) const override;
   uint64_t PrimitiveCount() const override { return spec_->triangles.size(); }
   uint64_t MemoryBytes() const override;
+
+  /// One of its triangles, and the texture coordinates of its corners.
+  MeshTriangle TriangleAt(uint32_t triangle) const;
+  std::array<Vec2, 3> UvsOf(uint32_t triangle) const;
 
  private:
   using Corners = MeshSpec::Corners;
@@ -44,7 +51,6 @@ class Mesh final : public Shape {
   void ComputeVertexNormals();
   void BakeNormals(const Mat4& object_from_world, Mesh* baked) const;
   bool HasNormal(size_t triangle, size_t corner) const;
-  Vec3 CornerNormal(size_t triangle, size_t corner, Vec3 face_normal) const;
   Vec3 FaceNormal(size_t triangle) const;
 
   std::shared_ptr<const MeshSpec> spec_;  ///< As it was read; says which triangles there are.

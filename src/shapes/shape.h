@@ -21,7 +21,10 @@ class Shape {
  public:
   virtual ~Shape() = default;
 
-  /// A box around the surface; unbounded shapes return `Bounds3::Infinite()`.
+  /// Whether it changes over time. Then hits are those at the times of their rays.
+  virtual bool IsMoving() const { return false; }
+
+  /// A box around the surface, at all times; unbounded shapes return `Bounds3::Infinite()`.
   virtual Bounds3 ObjectBounds() const = 0;
 
   /// Looks for the nearest hit with `ray.t_min <= t < hit->t`. On success stores t, u, v and the
@@ -40,15 +43,19 @@ class Shape {
 
   /// Adds texture coordinates, and how the point moves with them, to what `SurfaceAt` gave. Kept
   /// apart because few materials ask for them. Unless the shape knows better, they are where on the
-  /// primitive the hit lies, and say nothing about directions.
+  /// primitive the hit lies, and say nothing about directions. A shape that is moving looks at
+  /// `point->time`.
   virtual void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {
     point->uv = {hit.u, hit.v};
   }
 
   /// How far outside of a point, the one of a hit, the round surface lies that the shading normals
   /// pretend; 0 where there is none, where it does not bulge, and where an edge is smoothed over.
-  /// With `is_inside` the same towards the inside.
-  virtual Vec3 LiftOf(const HitRecord& /*hit*/, Vec3 /*p*/, bool /*is_inside*/) const { return {}; }
+  /// With `is_inside` the same towards the inside. `time` is that of the ray.
+  virtual Vec3 LiftOf(const HitRecord& /*hit*/, Vec3 /*p*/, float /*time*/,
+                      bool /*is_inside*/) const {
+    return {};
+  }
 
   /// The triangles, when that is all it consists of; then the scene's own search finds their hits,
   /// and does not ask `Intersect`, which says the same about a single shape at leisure. What the

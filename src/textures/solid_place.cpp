@@ -38,6 +38,13 @@ SolidPlace SolidPlace::Placed(ParamReader* params, Space space) {
   return place;
 }
 
+std::optional<Transform> SolidPlace::IntoObject(const SurfacePoint& point) const {
+  if (space_ != Space::kObject || !point.object_space) return std::nullopt;
+  const auto ways = point.object_space->At(point.time);
+  if (!ways) return std::nullopt;
+  return ways->object_from_world;
+}
+
 SolidPlace::Place SolidPlace::At(const SurfacePoint& point) const {
   constexpr float kFarthest = 0x1p22f;
   Place place;
@@ -45,7 +52,7 @@ SolidPlace::Place SolidPlace::At(const SurfacePoint& point) const {
   if (space_ == Space::kUv) {
     place.p = place_from_space_.Point({point.uv.x, point.uv.y, 0});
     place.size *= UvPerLength(point);
-  } else if (const Transform* into_object = IntoObject(point)) {
+  } else if (const auto into_object = IntoObject(point)) {
     place.p = place_from_space_.Point(into_object->Point(point.p));
     place.size *= into_object->LargestStretch();
   } else {
@@ -58,7 +65,7 @@ SolidPlace::Place SolidPlace::At(const SurfacePoint& point) const {
 }
 
 Vec3 SolidPlace::NormalAt(const SurfacePoint& point) const {
-  const Transform* into_object = IntoObject(point);
+  const auto into_object = IntoObject(point);
   const Vec3 n = into_object ? into_object->Normal(point.n_shading) : point.n_shading;
   return place_from_space_.Normal(n);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "geometry/surface_point.h"
 #include "math/transform.h"
@@ -33,9 +34,8 @@ class SolidPlace {
   enum class Space : uint8_t { kObject, kWorld, kUv };
 
   static SolidPlace Placed(ParamReader* params, Space space);
-  const Transform* IntoObject(const SurfacePoint& point) const {
-    return space_ == Space::kObject ? point.object_from_world : nullptr;
-  }
+  /// Nothing where a point is where it counts.
+  std::optional<Transform> IntoObject(const SurfacePoint& point) const;
 
   Space space_ = Space::kObject;
   Transform place_from_space_;

@@ -196,6 +196,39 @@ TEST_P(EveryCamera, GenerateRayInvertsConnect) {
   }
 }
 
+// P14: a camera that moves is at each time the one that stands there: rays, and their way back.
+TEST_P(EveryCamera, MovingIsAtEachTimeOneAtRest) {
+  const auto with_view = [](const std::string& view) {
+    return testing_support::CompileText(
+        fmt::format("Camera {{ {} {} }} Scene {{ }}", view, GetParam().example));
+  };
+  const auto moving = with_view(
+      "center 1 2 3 direction 4 -1 2 up 0 1 0 center_end 5 2 -1 direction_end 4 3 -2 up_end 1 1 0");
+  const auto rest = with_view("center 2 2 2 direction 4 0 1 up 0.25 1 0");
+  ASSERT_TRUE(moving && rest);
+  EXPECT_TRUE(moving->IsMoving() && moving->camera().IsMoving());
+  EXPECT_FALSE(rest->IsMoving() || rest->camera().IsMoving());
+  const float time = 0.25f;
+  UniformNumbers random(5);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 image_point = RandomPoint(&random), u = random.NextPair();
+    const Ray ray = moving->camera().GenerateRayAt(time, image_point, u);
+    const Ray expected = rest->camera().GenerateRay(image_point, u);
+    ASSERT_EQ(ray.origin, expected.origin);
+    ASSERT_EQ(ray.direction, expected.direction);
+    ASSERT_EQ(moving->camera().GenerateRayAt(time, image_point, {}).direction,
+              rest->camera().GenerateRay(image_point).direction);
+    const Vec3 p = expected.At(5);
+    ASSERT_EQ(moving->camera().DepthAt(time, p), rest->camera().DepthOf(p));
+    const auto way = moving->camera().ConnectAt(time, p, u);
+    const auto expected_way = rest->camera().Connect(p, u);
+    ASSERT_EQ(way.has_value(), expected_way.has_value());
+    if (!way) continue;
+    ASSERT_EQ(way->image_point, expected_way->image_point);
+    ASSERT_EQ(way->importance, expected_way->importance);
+  }
+}
+
 // The importance is the area of a small part of the image plane over the area that its rays through
 // the same point of the lens cover, across the one in their middle.
 TEST_P(EveryCamera, ImportanceIsTheJacobianOfItsRays) {

@@ -68,6 +68,17 @@ TEST_P(AcceleratorOf, RandomMeshesChangesNothing) {
   }
 }
 
+TEST_P(AcceleratorOf, MovingScenesChangesNothing) {
+  for (uint32_t seed = 0; seed < 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const RenderOptions options = WholePicture(kWidth / 2, kHeight / 2);
+    ExpectSamePictures([&](AcceleratorKind accelerator) {
+      const Subject subject = MakeMovingSubject(GetParam(), seed, accelerator);
+      return RenderImage(*subject.integrator, options);
+    });
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, AcceleratorOf, testing::Values("whitted", "path", "light_trace"),
                          [](const auto& test) { return std::string(test.param); });
 

@@ -83,6 +83,22 @@ std::string LinesOfOtherIntegrators() {
   return lines;
 }
 
+std::string LinesOfMovingScenes() {
+  std::string lines;
+  for (const char* integrator :
+       {"whitted", "path", "light_trace", "direct", "ambient_occlusion", "debug"}) {
+    for (uint32_t seed = 0; seed < 3; ++seed) {
+      const Subject subject = MakeMovingSubject(integrator, seed);
+      if (!subject.integrator) continue;
+      EXPECT_TRUE(subject.scene->IsMoving());
+      const Placement strata{"strata", SamplePattern::kStrata, kStrataSamples};
+      const Image image = RenderImage(*subject.integrator, OptionsFor(strata, kWidth, kHeight));
+      lines += Line(fmt::format("moving, {} {}", integrator, seed), image);
+    }
+  }
+  return lines;
+}
+
 std::string LinesOfMeshScenes() {
   std::string lines;
   for (const char* integrator : {"whitted", "path", "light_trace"}) {
@@ -114,7 +130,7 @@ std::string LinesOfPlacements() {
 
 TEST(Golden, HashesOfFloatPicturesAreTheStoredOnes) {
   const std::string lines = LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements() +
-                            LinesOfMeshScenes() + LinesOfOtherIntegrators();
+                            LinesOfMeshScenes() + LinesOfOtherIntegrators() + LinesOfMovingScenes();
   if (testing_support::IsUpdate()) {
     ASSERT_TRUE(WriteFileAtomically(kFile, std::as_bytes(std::span(lines))));
     return;

@@ -93,4 +93,20 @@ SceneSpec RandomMeshScene(uint32_t seed, const std::string& rest) {
   return spec;
 }
 
+void SetInMotion(uint32_t seed, SceneSpec* spec) {
+  std::mt19937 random(seed + 1000);
+  const auto number = [&] { return static_cast<double>(random() % 1001) / 1000 - 0.5; };
+  for (size_t i = 0; i < spec->nodes.size(); ++i) {
+    NodeSpec& node = spec->nodes[i];
+    if (!node.object || node.light || node.object->type == "plane") continue;
+    node.motion = {node.parent_from_node};
+    for (size_t step = 0; step < 1 + i % 3 / 2; ++step) {
+      const double x = number(), y = number(), turn = 60 * number(), size = 1 + 0.5 * number();
+      const Mat4 next = Mat4::Translate({x, y, 0}) * node.motion.back();
+      node.motion.push_back(next * Mat4::Rotate(1, turn) * Mat4::Scale({size, 1, 1}));
+    }
+  }
+  spec->camera.params.params.push_back({"up_end", {}, {{"0.1", {}}, {"1", {}}, {"0.05", {}}}});
+}
+
 }  // namespace candela::determinism

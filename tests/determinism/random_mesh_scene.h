@@ -13,4 +13,8 @@ namespace candela::determinism {
 /// everywhere.
 SceneSpec RandomMeshScene(uint32_t seed, const std::string& rest);
 
+/// Makes the objects that do not shine move, turn and grow, each third of them in three steps, and
+/// the camera go along.
+void SetInMotion(uint32_t seed, SceneSpec* spec);
+
 }  // namespace candela::determinism

@@ -48,6 +48,13 @@ Subject MakeMeshSubject(const std::string& integrator, uint32_t seed, Accelerato
       testing_support::SceneOfSpec(RandomMeshScene(seed, TextFor(integrator, seed)), accelerator));
 }
 
+Subject MakeMovingSubject(const std::string& integrator, uint32_t seed,
+                          AcceleratorKind accelerator) {
+  SceneSpec spec = RandomMeshScene(seed, TextFor(integrator, seed));
+  SetInMotion(seed, &spec);
+  return WithIntegrator(integrator, testing_support::SceneOfSpec(spec, accelerator));
+}
+
 std::vector<Placement> Placements() {
   std::vector<Placement> all = {
       {"centre", SamplePattern::kCentre, 1},

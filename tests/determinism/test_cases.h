@@ -25,6 +25,10 @@ Subject MakeSubject(const std::string& integrator, uint32_t seed,
 Subject MakeMeshSubject(const std::string& integrator, uint32_t seed,
                         AcceleratorKind accelerator = AcceleratorKind::kBvh);
 
+/// The same on a random scene in which meshes, other shapes and the camera move.
+Subject MakeMovingSubject(const std::string& integrator, uint32_t seed,
+                          AcceleratorKind accelerator = AcceleratorKind::kBvh);
+
 /// A way to place samples, with a name for the test.
 struct Placement {
   std::string name;

@@ -43,6 +43,15 @@ TEST_P(Picture, IsTheSameForAnyThreadsAndTiles) {
   }
 }
 
+TEST_P(Picture, OfWhatMovesIsTheSameForAnyThreadsAndTiles) {
+  const auto& [name, placement] = GetParam();
+  const Subject subject = MakeMovingSubject(name, 1);
+  ASSERT_TRUE(subject.integrator);
+  const RenderOptions options = OptionsFor(placement, kWidth, kHeight);
+  EXPECT_TRUE(RenderWith(7, 5, *subject.integrator, options) ==
+              RenderWith(1, 1000, *subject.integrator, options));
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Picture,
                          testing::Combine(testing::Values("whitted", "path", "light_trace"),
                                           testing::ValuesIn(Placements())),

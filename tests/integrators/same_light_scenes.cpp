@@ -75,6 +75,11 @@ std::string Point() {
          "attenuation 1 } }\n";
 }
 
+std::string Moving(const char* begin, const char* end, const std::string& nodes) {
+  return fmt::format("Node {{ Keyframes {{ Transform {{ {} }} Transform {{ {} }} }} {} }}\n", begin,
+                     end, nodes);
+}
+
 std::string RectangleLamp() {
   return Lamp("translate 0 1.7 0.5 x_rotate 90", "rectangle width 2 height 1.6", "radiance 4 4 3");
 }
@@ -214,6 +219,22 @@ std::vector<NamedScene> Scenes() {
        Scene(Corner() + Ball("plastic"),
              "Background { sky daylight turbidity 4 sun_elevation 50 sun_azimuth 100 "
              "ground_albedo 0.3 0.3 0.3 sun false scale 0.1 }\n")},
+      {"moving", 4,
+       Scene(Corner() + RectangleLamp() +
+                 Moving("translate -0.4 0 0 y_rotate 0", "translate 0.4 0 0.3 y_rotate 60",
+                        Object("plastic", "translate 0 -0.3 0", "sphere radius 0.5") +
+                            Object("net", "translate 0 0.6 0 scale 5 5 5",
+                                   "mesh obj_file assets/assignment4/models/bunny_200.obj")),
+             "",
+             "Camera { center 0 0.6 4 center_end 0.6 0.8 4 direction 0 -0.25 -1 direction_end -0.1 "
+             "-0.25 -1 up 0 1 0 fov 45 aperture 0.3 focus_distance 4 shutter_interval 0.1 0.9 "
+             "}\n")},
+      {"moving_bodies", 8,
+       Scene(Corner() + Point() +
+             Moving("translate 0 0 0", "translate 0 0 -2",
+                    Body("glass", "tea", 1, "translate 0 0.3 4", 1.2)) +
+             Moving("translate 0 0 0", "translate 0.5 0.3 0",
+                    Body("ground", "crown", 2, "translate 0 -0.2 0.2", 0.6)))},
   };
 }
 

@@ -106,13 +106,13 @@ TEST(NoiseTexture, IsScaledTurnedAndMoved) {
 TEST(NoiseTexture, StaysWithItsObject) {
   const auto texture = Make("noise", "octaves 1");
   const auto in_world = Make("noise", "octaves 1 space world");
-  const Transform object_from_world(Mat4::Scale({0.5, 0.5, 0.5}) * Mat4::Translate({-1, -2, -3}));
+  const MovingTransform space({Mat4::Translate({1, 2, 3}) * Mat4::Scale({2, 2, 2})});
   SurfacePoint point = Place({1.6f, 3.2f, 4.4f});
   const float there = texture->Lookup(Place({0.3f, 0.6f, 0.7f})).x;
   EXPECT_NE(texture->Lookup(point).x, there);
   EXPECT_EQ(texture->Lookup(point).x, in_world->Lookup(point).x);
   const float unmoved = in_world->Lookup(point).x;
-  point.object_from_world = &object_from_world;
+  point.object_space = &space;
   EXPECT_NEAR(texture->Lookup(point).x, there, 1e-6f);
   EXPECT_EQ(in_world->Lookup(point).x, unmoved);
   point.footprint = 1.01f;

@@ -11,9 +11,11 @@ inline constexpr std::string_view kSectionWords[] = {"Background", "Camera", "Fi
 inline constexpr std::string_view kInclude = "include";
 inline constexpr std::string_view kMaterialsWords[] = {"Material"};
 inline constexpr std::string_view kMediaWords[] = {"Medium"};
+inline constexpr std::string_view kKeyframesWords[] = {"Transform"};
 inline constexpr std::string_view kTexturesWords[] = {"Texture"};
 inline constexpr std::string_view kNodeWords[] = {"Node",
                                                   "Transform",
+                                                  "Keyframes",
                                                   "Component<Interior>",
                                                   "Component<Material>",
                                                   "Component<Light>",

@@ -41,6 +41,8 @@ std::vector<NodeSpec> NodeParser::Parse(const Token& scene) {
 void NodeParser::ParseItem(const Token& word, NodeSpec* node) {
   if (word.text == "Transform") {
     ParseTransform(word, node);
+  } else if (word.text == "Keyframes") {
+    ParseKeyframes(word, node);
   } else if (word.text == "Component<Material>") {
     ParseMaterial(word, node);
   } else if (word.text == "Component<Interior>") {
@@ -57,17 +59,57 @@ void NodeParser::ParseItem(const Token& word, NodeSpec* node) {
 }
 
 void NodeParser::WarnIfReplaced(bool is_replaced, const Token& word) {
-  if (!is_replaced) return;
-  diagnostics_.Warning(
-      tokens_.Where(word),
-      fmt::format("this node already has a {}; the last one counts", Quote(word.text)));
+  if (is_replaced) WarnOfSecond(word.text, word);
+}
+
+void NodeParser::WarnOfSecond(std::string_view name, const Token& word) {
+  diagnostics_.Warning(tokens_.Where(word),
+                       fmt::format("this node already has a {}; the last one counts", Quote(name)));
+}
+
+void NodeParser::TakePlace(const Token& word, NodeSpec* node) {
+  if (node->transform_where.line != 0) {
+    WarnOfSecond(node->motion.empty() ? "Transform" : "Keyframes", word);
+  }
+  node->transform_where = tokens_.Where(word);
+  node->motion.clear();
 }
 
 void NodeParser::ParseTransform(const Token& word, NodeSpec* node) {
-  WarnIfReplaced(node->transform_where.line != 0, word);
-  node->transform_where = tokens_.Where(word);
+  TakePlace(word, node);
   const ParamSet steps = blocks_.ReadParams(word, BlockReader::Repeats::kLegal);
-  node->parent_from_node = ComposeSteps(steps, &diagnostics_);
+  node->parent_from_node = Product(ReadSteps(steps, &diagnostics_));
+}
+
+void NodeParser::ParseKeyframes(const Token& word, NodeSpec* node) {
+  TakePlace(word, node);
+  const size_t errors_before = diagnostics_.ErrorCount();
+  blocks_.OpenBlock(word);
+  std::vector<TransformSteps> frames;
+  for (Token frame = blocks_.NextItem(&word, kKeyframesWords); frame.IsWord();
+       frame = blocks_.NextItem(&word, kKeyframesWords)) {
+    frames.push_back(
+        ReadSteps(blocks_.ReadParams(frame, BlockReader::Repeats::kLegal), &diagnostics_));
+  }
+  node->motion.assign(2, Mat4::Identity());
+  if (diagnostics_.ErrorCount() > errors_before) return;
+  if (frames.size() < 2) {
+    diagnostics_.Error(tokens_.Where(word),
+                       fmt::format("'Keyframes' needs a 'Transform' for the begin, one for the end "
+                                   "and any number in between, found {}",
+                                   frames.size()));
+    return;
+  }
+  const size_t parts = PartsOfKeyframes(frames);
+  if (parts * (frames.size() - 1) >= NodeSpec::kMostSteps) {
+    diagnostics_.Error(
+        tokens_.Where(word),
+        fmt::format("the keyframes make {} steps, with one for each {} degrees of a turn; at most "
+                    "{} are possible",
+                    parts * (frames.size() - 1) + 1, kDegreesOfPart, NodeSpec::kMostSteps));
+    return;
+  }
+  node->motion = MatricesOfKeyframes(frames, parts);
 }
 
 void NodeParser::ParseMaterial(const Token& word, NodeSpec* node) {

@@ -22,10 +22,14 @@ class NodeParser {
   /// Reads what may stand in a node besides nodes.
   void ParseItem(const Token& word, NodeSpec* node);
   void ParseTransform(const Token& word, NodeSpec* node);
+  void ParseKeyframes(const Token& word, NodeSpec* node);
   void ParseMaterial(const Token& word, NodeSpec* node);
   TypedSpec ParseTyped(const Token& word,
                        BlockReader::Textures textures = BlockReader::Textures::kNone);
   void WarnIfReplaced(bool is_replaced, const Token& word);
+  void WarnOfSecond(std::string_view name, const Token& word);
+  /// For what `word` opens, a place of the node.
+  void TakePlace(const Token& word, NodeSpec* node);
 
   SceneText& tokens_;
   BlockReader& blocks_;

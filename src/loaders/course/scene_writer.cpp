@@ -165,7 +165,13 @@ class Writer {
   }
 
   void WriteItems(const NodeSpec& node) {
-    if (node.parent_from_node != Mat4::Identity()) WriteTransform(node.parent_from_node);
+    if (!node.motion.empty()) {
+      Open("Keyframes");
+      for (const Mat4& matrix : node.motion) WriteTransform(matrix);
+      Close();
+    } else if (node.parent_from_node != Mat4::Identity()) {
+      WriteTransform(node.parent_from_node);
+    }
     if (node.material && !node.material->name.empty()) {
       Line("Component<Material> { name " + node.material->name + " }");
     } else if (node.material && node.material->index) {

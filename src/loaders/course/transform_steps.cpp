@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <iterator>
 
 #include "base/number.h"
@@ -43,8 +45,6 @@ constexpr Step kSteps[] = {
     {"matrix", 12, "three rows of four numbers", MatrixOf},
 };
 
-constexpr size_t kMostNumbers = 12;
-
 constexpr auto kNames = [] {
   std::array<std::string_view, std::size(kSteps)> names;
   std::transform(std::begin(kSteps), std::end(kSteps), names.begin(),
@@ -65,10 +65,16 @@ void ReportUnknown(const Param& param, Diagnostics* diagnostics) {
   });
 }
 
+bool HaveSameSteps(const TransformSteps& a, const TransformSteps& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const TransformStep& x, const TransformStep& y) { return x.kind == y.kind; });
+}
+
 }  // namespace
 
-Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
-  Mat4 product = Mat4::Identity();
+TransformSteps ReadSteps(const ParamSet& steps, Diagnostics* diagnostics) {
+  TransformSteps read;
   const std::vector<Param>& params = steps.params;
   for (size_t i = 0; i < params.size(); ++i) {
     const Param& param = params[i];
@@ -77,7 +83,7 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
       ReportUnknown(param, diagnostics);
       continue;
     }
-    std::array<double, kMostNumbers> numbers{};
+    std::array<double, TransformStep::kMostNumbers> numbers{};
     size_t count = 0;
     for (; count < std::min(step->count, param.words.size()); ++count) {
       const auto number = ParseDouble(param.words[count].text);
@@ -92,10 +98,7 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
               ? WrongCount(step->name, step->expected, param.words.size())
               : WrongWord(step->name, step->expected, word.text, IsTooLarge(word.text)));
     } else if (count == step->count) {
-      // Each further step acts on the object before the ones written so far. A matrix alone stays
-      // as it is, to the sign of its zeros.
-      const Mat4 matrix = step->matrix(numbers.data());
-      product = params.size() == 1 && step->count == kMostNumbers ? matrix : product * matrix;
+      read.push_back({static_cast<size_t>(step - kSteps), numbers});
     } else if (i + 1 == params.size() && steps.is_damaged) {
       // The rest of it may be what could not be read.
     } else if (const Param* word = WordBetweenNumbers(steps, i, kNames)) {
@@ -105,7 +108,53 @@ Mat4 ComposeSteps(const ParamSet& steps, Diagnostics* diagnostics) {
       diagnostics->Error(param.where, WrongCount(step->name, step->expected, count));
     }
   }
+  return read;
+}
+
+Mat4 Product(const TransformSteps& steps) {
+  // A matrix alone stays as it is, to the sign of its zeros.
+  if (steps.size() == 1 && kSteps[steps[0].kind].matrix == MatrixOf) {
+    return MatrixOf(steps[0].numbers.data());
+  }
+  Mat4 product = Mat4::Identity();
+  for (const TransformStep& step : steps) {
+    product = product * kSteps[step.kind].matrix(step.numbers.data());
+  }
   return product;
+}
+
+size_t PartsOfKeyframes(std::span<const TransformSteps> frames) {
+  double parts = 1;
+  for (size_t i = 1; i < frames.size(); ++i) {
+    const TransformSteps &before = frames[i - 1], &after = frames[i];
+    if (!HaveSameSteps(before, after)) return 1;
+    for (size_t k = 0; k < after.size(); ++k) {
+      if (kSteps[after[k].kind].expected != kAngle) continue;
+      const double turn = std::abs(after[k].numbers[0] - before[k].numbers[0]);
+      parts = std::max(parts, std::ceil(turn / kDegreesOfPart));
+    }
+  }
+  constexpr double kTooMany = 1 << 30;
+  return std::bit_ceil(static_cast<size_t>(std::min(parts, kTooMany)));
+}
+
+std::vector<Mat4> MatricesOfKeyframes(std::span<const TransformSteps> frames, size_t parts) {
+  std::vector<Mat4> matrices = {Product(frames[0])};
+  for (size_t i = 1; i < frames.size(); ++i) {
+    for (size_t part = 1; part < parts; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(parts);
+      TransformSteps between = frames[i];
+      for (size_t k = 0; k < between.size(); ++k) {
+        for (size_t n = 0; n < TransformStep::kMostNumbers; ++n) {
+          double& number = between[k].numbers[n];
+          number = frames[i - 1][k].numbers[n] * (1 - share) + number * share;
+        }
+      }
+      matrices.push_back(Product(between));
+    }
+    matrices.push_back(Product(frames[i]));
+  }
+  return matrices;
 }
 
 }  // namespace candela

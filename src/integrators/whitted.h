@@ -24,6 +24,7 @@ class WhittedIntegrator final : public Integrator {
   static constexpr uint32_t kUsualBounces = 0;
 
   WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows);
+  /// What a scene or options need beyond that is a `DistributionIntegrator`'s.
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 

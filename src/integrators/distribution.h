@@ -24,8 +24,8 @@ class DistributionIntegrator final : public Integrator {
  public:
   /// Rays of a reflection that is spread, where nobody says how many.
   static constexpr uint32_t kUsualGlossySamples = 16;
-  /// So many rays of a kind may be asked for.
-  static constexpr uint32_t kMostRays = 65536;
+  /// So many rays of a kind may be asked for: what waits on one level has to fit into memory.
+  static constexpr uint32_t kMostRays = 4096;
 
   DistributionIntegrator(const Scene& scene, const IntegratorOptions& options);
 

@@ -8,6 +8,7 @@
 #include "driver/console.h"
 #include "image/image_file.h"
 #include "image/tone_curve.h"
+#include "integrators/distribution.h"
 #include "integrators/registry.h"
 #include "integrators/whitted.h"
 #include "sampling/sampler.h"
@@ -52,11 +53,35 @@ void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
                  "with path and light_trace: those by mirrors (default all)", kInRender);
   parser->Option("transmission-bounces", {Whole("N", &light.transmission_bounces, 0)},
                  "with path and light_trace: those through surfaces (default all)", kInRender);
+  AddDistribution(parser);
   parser->Option("ao-distance", {Positive("X", &light.ao_distance)},
                  "with ambient_occlusion: what is farther away does not count (default all does)",
                  kInRender);
   parser->Option("view", {Choice("NAME", &view_, DebugViewNames())}, DebugViewSummaries(),
                  kInRender);
+}
+
+void PictureSettings::AddDistribution(ArgParser* parser) {
+  IntegratorOptions& light = request_.integrator_options;
+  constexpr int64_t kMost = DistributionIntegrator::kMostRays;
+  parser->Option("light-samples", {Whole("N", &light.light_samples, 0, kMost)},
+                 "with whitted: rays to each area light, for soft shadows (default 0: area lights "
+                 "light nothing)",
+                 kInRender);
+  parser->Option("glossy-samples", {Whole("N", &light.glossy_samples, 1, kMost)},
+                 fmt::format("with whitted: rays of a reflection that the material spreads "
+                             "(default {})",
+                             DistributionIntegrator::kUsualGlossySamples),
+                 kInRender);
+  parser->Option("indirect-samples", {Whole("N", &light.indirect_samples, 0, kMost)},
+                 "with whitted: rays that gather the light around a surface, in place of the "
+                 "ambient light (default 0)",
+                 kInRender);
+  parser->Option("indirect-sampling", {Choice("NAME", &indirect_sampling_, {"cosine", "uniform"})},
+                 "with whitted: how these are spread (default cosine)", kInRender);
+  parser->Flag("depth-of-field", &light.depth_of_field,
+               "with whitted: look through all of the lens of the camera, not its middle",
+               kInRender);
 }
 
 void PictureSettings::AddSamples(ArgParser* parser) {
@@ -152,6 +177,11 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
   drop(kUsesBounceKinds, "mirror-bounces", "mirror_bounces", &light.mirror_bounces);
   drop(kUsesBounceKinds, "transmission-bounces", "transmission_bounces",
        &light.transmission_bounces);
+  drop(kUsesDistribution, "light-samples", "light_samples", &light.light_samples);
+  drop(kUsesDistribution, "glossy-samples", "glossy_samples", &light.glossy_samples);
+  drop(kUsesDistribution, "indirect-samples", "indirect_samples", &light.indirect_samples);
+  drop(kUsesDistribution, "indirect-sampling", "indirect_sampling", &indirect_sampling_);
+  drop(kUsesDistribution, "depth-of-field", "depth_of_field", &light.depth_of_field);
   drop(kUsesAoDistance, "ao-distance", "ao_distance", &light.ao_distance);
   drop(kUsesView, "view", "view", &view_);
 }
@@ -179,6 +209,9 @@ void PictureSettings::Finish() {
   auto& bounces = request_.integrator_options.bounces;
   if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
   FinishSampler();
+  if (indirect_sampling_ == "uniform") {
+    request_.integrator_options.indirect_sampling = IndirectSampling::kUniform;
+  }
   FinishView();
 }
 

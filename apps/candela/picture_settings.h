@@ -28,7 +28,8 @@ class PictureSettings {
   void AddTone(ArgParser* parser);
   /// pixel-grid
   void AddGrid(ArgParser* parser);
-  /// integrator, those of `common`, limits of bounces by their kind, ao-distance, view
+  /// integrator, those of `common`, limits of bounces by their kind, those of
+  /// distribution ray tracing, ao-distance, view
   void AddLight(ArgParser* parser, CommonOptions* common);
   /// samples, those of `StopSettings`, filter, sampler, clamp, jitter, seed
   void AddSamples(ArgParser* parser);
@@ -56,6 +57,8 @@ class PictureSettings {
   void Finish();
 
  private:
+  /// light-samples, glossy-samples, indirect-samples, indirect-sampling, depth-of-field
+  void AddDistribution(ArgParser* parser);
   void CheckClamp(const ArgParser& parser, const ParamSet& settings, Diagnostics* diagnostics);
   void FinishSamples();
   void FinishSampler();
@@ -68,7 +71,7 @@ class PictureSettings {
   RenderRequest& request_;
   bool jitter_ = false;
   std::string sampler_ = "sobol";
-  std::optional<std::string> filter_, grid_, tonemap_, view_;
+  std::optional<std::string> filter_, grid_, tonemap_, view_, indirect_sampling_;
   ExposureSettings exposure_;
   LensSettings lens_;
   StopSettings stop_;

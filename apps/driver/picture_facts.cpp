@@ -74,6 +74,13 @@ std::string PictureOptions(const RenderRequest& request) {
   add("mirror-bounces", light.mirror_bounces);
   add("transmission-bounces", light.transmission_bounces);
   if (light.shadows) options += " --shadows";
+  add("light-samples", light.light_samples);
+  add("glossy-samples", light.glossy_samples);
+  add("indirect-samples", light.indirect_samples);
+  if (light.indirect_sampling == IndirectSampling::kUniform) {
+    options += " --indirect-sampling uniform";
+  }
+  if (light.depth_of_field) options += " --depth-of-field";
   if (light.ao_distance) options += fmt::format(" --ao-distance {}", *light.ao_distance);
   if (FindIntegrator(request.integrator)->Uses(kUsesView)) {
     options += fmt::format(" --view {}", NameOf(light.view));

@@ -119,9 +119,15 @@ class RenderRun {
     if (request_.integrator != "whitted") return;
     for (const auto& light : loaded_->scene->lights()) {
       if (!light->IsSurface()) continue;
+      const bool is_sampled = request_.integrator_options.light_samples.value_or(0) > 0;
+      if (is_sampled && !light->IsFoundByHitsAlone()) continue;
       PrintWarning(request_.program,
-                   "area lights shine but light nothing in 'whitted'; 'candela render "
-                   "--integrator path' follows their light");
+                   is_sampled
+                       ? "area lights of this shape shine but light nothing in 'whitted'; "
+                         "'--integrator path' follows their light"
+                       : "area lights shine but light nothing in 'whitted'; 'candela render "
+                         "--light-samples N' samples them, and '--integrator path' follows their "
+                         "light");
       return;
     }
   }
@@ -163,8 +169,10 @@ class RenderRun {
     const auto lines = integrator.Explain(
         SamplePlacer(request_.render).Centre(request_.explain->x, request_.explain->y));
     if (lines.empty()) {
-      return Error{ErrorCode::kUsage,
-                   fmt::format("the integrator '{}' cannot explain a pixel", request_.integrator)};
+      return Error{
+          ErrorCode::kUsage,
+          fmt::format("the integrator '{}' cannot explain a pixel{}", request_.integrator,
+                      request_.integrator == "whitted" ? " where it takes several rays" : "")};
     }
     return WriteResult(fmt::format("{}\n", fmt::join(lines, "\n")));
   }

@@ -90,9 +90,7 @@ DebugIntegrator::DebugIntegrator(const Scene& scene, const IntegratorOptions& op
   Diagnostics unknown;
   CheckPhysical(scene, "path", &unknown);
   if (unknown.HasErrors()) {
-    worker_ = std::make_unique<WhittedIntegrator>(
-        scene, options.bounces.value_or(WhittedIntegrator::kUsualBounces), options.shadows,
-        options.seed, options.sampler);
+    worker_ = WhittedIntegrator::Create(scene, options).value();
   } else {
     worker_ = std::make_unique<PathIntegrator>(scene, options);
   }

@@ -23,6 +23,12 @@ void CheckForDirect(const Scene& scene, Diagnostics* diagnostics) {
   CheckPhysical(scene, "direct", diagnostics);
 }
 
+void CheckForAmbientOcclusion(const Scene& scene, Diagnostics* diagnostics) {
+  if (!scene.fog()) return;
+  diagnostics->Warning(scene.PlaceOfFog(),
+                       "the fog has no effect with the integrator 'ambient_occlusion'");
+}
+
 /// A path of one bounce is all of it: at the surface that the camera sees a light is sampled, and
 /// the bounce finds what shines; each is weighed against the other.
 Result<std::unique_ptr<Integrator>> CreateDirect(const Scene& scene,
@@ -34,7 +40,8 @@ Result<std::unique_ptr<Integrator>> CreateDirect(const Scene& scene,
 
 constexpr IntegratorEntry kIntegrators[] = {
     {"whitted", "the course's: Phong shading, mirrors, shadows", nullptr,
-     &WhittedIntegrator::Create, false, true, false, false, kUsesBounces | kUsesShadows},
+     &WhittedIntegrator::Create, false, true, false, false,
+     kUsesBounces | kUsesShadows | kUsesDistribution},
     {"path",
      "path tracing: light as it is, with all lights and all materials but Phong "
      "highlights that are not normalised",
@@ -47,10 +54,11 @@ constexpr IntegratorEntry kIntegrators[] = {
      "what shines, and what it lights without a detour: path tracing of one bounce, mirrors "
      "included",
      &CheckForDirect, &CreateDirect, false, true, false, true, 0},
-    {"ambient_occlusion", "how much of the sky each surface sees", nullptr,
+    {"ambient_occlusion", "how much of the sky each surface sees", &CheckForAmbientOcclusion,
      &AmbientOcclusionIntegrator::Create, false, false, false, true, kUsesAoDistance},
     {"debug", "what a renderer works with, as --view says", nullptr, &DebugIntegrator::Create,
-     false, false, false, false, kUsesBounces | kUsesBounceKinds | kUsesShadows | kUsesView},
+     false, false, false, false,
+     kUsesBounces | kUsesBounceKinds | kUsesShadows | kUsesDistribution | kUsesView},
 };
 
 }  // namespace

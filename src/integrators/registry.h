@@ -16,6 +16,12 @@
 
 namespace candela {
 
+/// How `whitted` draws directions to gather light from. The mean is the same.
+enum class IndirectSampling {
+  kCosine,   ///< By the cosine to the normal, by which they count.
+  kUniform,  ///< All alike.
+};
+
 /// What the command line says about light transport.
 struct IntegratorOptions {
   /// Reflections after the camera ray; without a value each integrator has a default of its own.
@@ -24,6 +30,14 @@ struct IntegratorOptions {
   /// and through surfaces. Unlimited without a value.
   std::optional<uint32_t> diffuse_bounces, mirror_bounces, transmission_bounces;
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
+  // For `whitted`, see `DistributionIntegrator`.
+  /// Rays to each lamp with a surface; without a value such lamps light nothing.
+  std::optional<uint32_t> light_samples;
+  std::optional<uint32_t> glossy_samples;  ///< Rays of a reflection that is spread.
+  /// Rays that gather the light around a surface; without a value none.
+  std::optional<uint32_t> indirect_samples;
+  IndirectSampling indirect_sampling = IndirectSampling::kCosine;
+  bool depth_of_field = false;  ///< Rays go through all of the lens, not its middle.
   /// For `ambient_occlusion`: what is farther away is not in the way. Nothing without a value.
   std::optional<float> ao_distance;
   DebugView view = DebugView::kNormal;  ///< For `debug`.
@@ -38,6 +52,7 @@ enum IntegratorUse : uint32_t {
   kUsesShadows = 4,
   kUsesAoDistance = 8,
   kUsesView = 16,
+  kUsesDistribution = 32,  ///< From `light_samples` to `depth_of_field`.
 };
 
 /// An integrator that may be asked for by name.

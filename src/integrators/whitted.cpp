@@ -1,55 +1,16 @@
 #include "integrators/whitted.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "integrators/course_rays.h"
+#include "integrators/distribution.h"
 #include "integrators/path_queue.h"
 #include "integrators/ray_story.h"
 #include "integrators/record_surface.h"
 #include "integrators/registry.h"
-#include "math/elementary.h"
 
 namespace candela {
 namespace {
-
-// The course moves new rays by this much along themselves, whatever the size of the scene. Its
-// pictures depend on the value.
-constexpr float kOffset = 0.01f;
-
-// A surface whose specular colour is shorter than this does not mirror.
-constexpr float kLeastMirror = 0.01f;
-
-// The course knows no holes: what has some throws the shadow of the whole.
-constexpr uint32_t kWholeShadowRay = kShadowRay | kHoleRay;
-
-Vec3 Mirrored(Vec3 d, Vec3 n) {
-  return d - n * (2 * Dot(n, d));
-}
-
-/// max(0, cosine) to the power of the shininess, where 0 to the power of 0 is 1.
-float Highlight(float cosine, float shininess) {
-  if (shininess == 0) return 1;
-  return cosine > 0 ? Pow(cosine, shininess) : (shininess > 0 ? 0.0f : Pow(0.0f, shininess));
-}
-
-/// A ray that leaves a point. Written in place, member by member: a ray that is made elsewhere and
-/// copied would wait for its own members to be stored.
-void StartRay(Vec3 p, Vec3 direction, uint32_t mask, float t_max, float time, Ray* ray) {
-  ray->origin = p + direction * kOffset;
-  ray->t_min = 0;
-  ray->direction = direction;
-  ray->t_max = t_max;
-  ray->time = time;
-  ray->mask = mask;
-}
-
-/// Where shadow rays to a light end. A hit exactly as far as the light counts. The distance is that
-/// of the unmoved point.
-float ShadowLimit(float distance) {
-  constexpr float kFarthest = std::numeric_limits<float>::max();
-  return distance < kFarthest ? std::nextafter(distance, kFarthest) : kFarthest;
-}
 
 /// A sample on its way.
 struct Path {
@@ -91,6 +52,9 @@ WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool 
 
 Result<std::unique_ptr<Integrator>> WhittedIntegrator::Create(const Scene& scene,
                                                               const IntegratorOptions& options) {
+  if (DistributionIntegrator::IsNeeded(scene, options)) {
+    return std::unique_ptr<Integrator>(std::make_unique<DistributionIntegrator>(scene, options));
+  }
   return std::unique_ptr<Integrator>(
       std::make_unique<WhittedIntegrator>(scene, options.bounces.value_or(kUsualBounces),
                                           options.shadows, options.seed, options.sampler));

@@ -28,6 +28,7 @@ class WhittedIntegrator final : public Integrator {
   /// Seed and sampler are for the times of samples, when something moves.
   WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows, uint32_t seed = 0,
                     SamplerType sampler = {});
+  /// What a scene or options need beyond that is a `DistributionIntegrator`'s.
   static Result<std::unique_ptr<Integrator>> Create(const Scene& scene,
                                                     const IntegratorOptions& options);
 

@@ -19,6 +19,8 @@ class MaskMaterial final : public Material {
 
   /// `whitted` sees no holes.
   PhongTerms Phong(const SurfacePoint& point) const override { return material_.Phong(point); }
+  PhongOptics Optics(const SurfacePoint& point) const override { return material_.Optics(point); }
+  bool HasOptics() const override { return material_.HasOptics(); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
   const Medium* Body() const override { return material_.Body(); }
   float Transparency(const SurfacePoint& point) const override {

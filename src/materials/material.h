@@ -18,6 +18,18 @@ struct PhongTerms {
   float shininess = 0;
 };
 
+/// What distribution ray tracing knows of a Phong surface beyond that: Cook, Porter and Carpenter,
+/// "Distributed Ray Tracing", 1984.
+struct PhongOptics {
+  /// How far what it mirrors is spread about the mirrored direction; 0 for a sharp mirror.
+  float reflection_roughness = 0;
+  Rgb transmittance;  ///< Of the light that Fresnel's equations let through, each from 0 to 1.
+  float ior = 1;      ///< The refractive index of the body behind the surface, over that of air.
+  Rgb absorption;     ///< What that takes of the light, per unit of length; not negative.
+
+  bool IsTransparent() const { return transmittance != Rgb(); }
+};
+
 /// The exponent of the Phong highlight that looks as wide as that of facets with the roughness
 /// `alpha`.
 inline float ShininessOf(float alpha) {
@@ -32,6 +44,12 @@ class Material {
 
   /// For the `whitted` integrator.
   virtual PhongTerms Phong(const SurfacePoint& point) const = 0;
+
+  /// For that integrator too, where it takes more than one ray.
+  virtual PhongOptics Optics(const SurfacePoint& /*point*/) const { return {}; }
+
+  /// Whether that can say more than that there is nothing to know.
+  virtual bool HasOptics() const { return false; }
 
   /// For light transport: adds the lobes at `point` to a Bsdf whose frame is set.
   virtual void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const = 0;

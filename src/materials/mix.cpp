@@ -13,6 +13,10 @@ const Material* PartOf(ParamReader* params, std::string_view name, const Materia
     params->Error(params->Where(name),
                   "the parts of a mixture have the same normals: give the map to the mixture");
   }
+  if (part && part->HasOptics()) {
+    params->Error(params->Where(name),
+                  "the parts of a mixture have no 'transmittance' and no 'reflection_roughness'");
+  }
   return part;
 }
 

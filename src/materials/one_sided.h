@@ -16,6 +16,8 @@ class OneSidedMaterial final : public Material {
   static std::unique_ptr<Material> Applied(std::unique_ptr<Material> material, ParamReader* params);
 
   PhongTerms Phong(const SurfacePoint& point) const override { return material_->Phong(point); }
+  PhongOptics Optics(const SurfacePoint& point) const override { return material_->Optics(point); }
+  bool HasOptics() const override { return material_->HasOptics(); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
   float Transparency(const SurfacePoint& point) const override {
     return material_->Transparency(point);

@@ -1,6 +1,10 @@
 #include "materials/phong.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "materials/medium.h"
 
 namespace candela {
 namespace {
@@ -39,7 +43,37 @@ std::unique_ptr<Material> PhongMaterial::Create(ParamReader* params,
                   "a normalised 'phong' needs a 'diffuse' and a 'specular' colour that are not "
                   "negative and together at most 1, and a 'shininess' that is not negative");
   }
+  material->ReadOptics(params, context);
   return material;
+}
+
+void PhongMaterial::ReadOptics(ParamReader* params, const MaterialContext& context) {
+  if (params->Has("reflection_roughness")) {
+    reflection_roughness_ = NumberInput::Fraction(params, "reflection_roughness", 0, context);
+    is_glossy_ = reflection_roughness_.IsTextured() || reflection_roughness_.value() > 0;
+  }
+  if (params->Has("transmittance")) {
+    transmittance_ = ColorInput::Albedo(params, "transmittance", {0, 0, 0}, context);
+    is_transparent_ = transmittance_.IsTextured() || transmittance_.value() != Rgb();
+    ior_ = ReadRefractiveIndex(params, "ior", 1.5f);
+    absorption_ = params->NonNegativeColor("absorption", {0, 0, 0});
+  } else {
+    for (const char* name : {"ior", "absorption"}) {
+      if (!params->Has(name)) continue;
+      params->Error(params->Where(name),
+                    fmt::format("'{}' is for a 'transmittance', of which there is none", name));
+    }
+  }
+  if (is_normalised_ && HasOptics()) {
+    params->Error(
+        params->Where("normalised"),
+        "a normalised 'phong' has no 'transmittance' and no 'reflection_roughness', which "
+        "light transport does not know of it");
+  }
+}
+
+PhongOptics PhongMaterial::Optics(const SurfacePoint& point) const {
+  return {reflection_roughness_.At(point), transmittance_.At(point), ior_, absorption_};
 }
 
 PhongTerms PhongMaterial::Phong(const SurfacePoint& point) const {
@@ -64,6 +98,7 @@ void PhongMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
 }
 
 bool PhongMaterial::IsPhysical() const {
+  if (HasOptics()) return false;
   const Rgb diffuse = diffuse_.value(), specular = specular_.value();
   if (!is_normalised_) {
     return !specular_.IsTextured() && specular == Rgb() &&

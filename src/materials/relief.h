@@ -25,6 +25,8 @@ class ReliefMaterial final : public Material {
                                            const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override { return material_->Phong(point); }
+  PhongOptics Optics(const SurfacePoint& point) const override { return material_->Optics(point); }
+  bool HasOptics() const override { return material_->HasOptics(); }
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
   const Medium* Body() const override { return material_->Body(); }
   float Transparency(const SurfacePoint& point) const override {

@@ -77,6 +77,10 @@ class SceneCompiler {
           background.environment_scale, background.environment_rotate_degrees, &diagnostics_);
     }
     if (background.sky) CompileSky(*background.sky, background.environment_scale);
+    if (background.fog) {
+      scene_->fog_.emplace(*background.fog);
+      scene_->fog_place_ = background.fog->where;
+    }
   }
 
   /// The sky is a picture of the surroundings, its sun a light like others.

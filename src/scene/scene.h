@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "lights/light.h"
 #include "materials/material.h"
 #include "scene/background.h"
+#include "scene/fog.h"
 #include "scene/interior.h"
 #include "scene/scene_object.h"
 #include "scene/scene_tree.h"
@@ -71,6 +73,8 @@ class Scene {
 
   const Camera& camera() const { return *camera_; }
   const Background& background() const { return background_; }
+  /// Nothing where the air is clear. Only the integrator `whitted` knows fog.
+  const std::optional<Fog>& fog() const { return fog_; }
   const std::vector<SceneObject>& objects() const { return objects_; }
   /// In the order of the scene file, the ones of area included.
   const std::vector<std::unique_ptr<const Light>>& lights() const { return lights_; }
@@ -84,6 +88,8 @@ class Scene {
   const std::vector<Interior>& interiors() const { return interiors_; }
   /// Where the scene file describes a material, for messages.
   const SourceLocation& PlaceOfMaterial(size_t index) const { return material_places_[index]; }
+  /// The same of the fog.
+  const SourceLocation& PlaceOfFog() const { return fog_place_; }
   /// The same of an object.
   const SourceLocation& PlaceOfObject(size_t index) const { return object_places_[index]; }
   /// The same of a light.
@@ -125,6 +131,8 @@ class Scene {
   bool has_holes_ = false;
   bool has_dispersion_ = false;
   bool is_moving_ = false;
+  std::optional<Fog> fog_;
+  SourceLocation fog_place_;
 };
 
 }  // namespace candela

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "math/mat4.h"
@@ -27,6 +28,24 @@ struct SkySpec {
   bool has_sun = true;  ///< Whether the sun shines; the sky is as bright without it.
 };
 
+/// Fog: what a ray sees fades into its colour, as much as there is of it along the ray.
+struct FogSpec {
+  enum class Profile {
+    kHomogeneous,  ///< As dense everywhere.
+    kExponential,  ///< `density` at `base`, less by a factor of e for each `height` above it.
+    kLinear,       ///< `density` up to `base`, from there evenly less, to nothing `height` above.
+  };
+  /// What scenes call them, in their order.
+  static constexpr std::string_view kProfileWords[] = {"homogeneous", "exponential", "linear"};
+
+  Profile profile = Profile::kHomogeneous;
+  Rgb color{0.5f, 0.5f, 0.5f};  ///< Not negative.
+  float density = 0;            ///< The optical depth per unit of length; not negative.
+  float base = 0;               ///< In y.
+  float height = 1;             ///< Above 0.
+  SourceLocation where;
+};
+
 /// What rays see that hit nothing, and the light that is everywhere.
 struct BackgroundSpec {
   Rgb color;
@@ -41,6 +60,7 @@ struct BackgroundSpec {
   float environment_rotate_degrees = 0;  ///< About +y, counter-clockwise seen from above.
   /// Replaces `color` as well; there is one of the three at most.
   std::optional<SkySpec> sky;
+  std::optional<FogSpec> fog;
 };
 
 /// A texture with the name that materials and further textures use for it.

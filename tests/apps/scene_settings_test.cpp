@@ -52,6 +52,8 @@ TEST_F(SceneSettingsTest, AreOptions) {
        {"--integrator", "path", "--samples=4", "--seed=7", "--bounces=2", "--diffuse-bounces=1"}},
       {"Render { samples 3 shadows true } Film { filter gaussian tonemap filmic exposure -0.5 }",
        {"--samples=3", "--shadows", "--filter=gaussian", "--tonemap=filmic", "--exposure=-0.5"}},
+      {"Render { indirect_samples 4 indirect_sampling uniform }",
+       {"--indirect-samples=4", "--indirect-sampling=uniform"}},
       {"Film { pixel_grid centres stretch true }", {"--pixel-grid=centres", "--stretch"}},
       // What follows from others follows from them wherever they stand.
       {"Render { integrator path }", {"--integrator=path"}},
@@ -233,6 +235,38 @@ TEST_F(SceneSettingsTest, OptionsOfOtherIntegratorsAreWarnedOf) {
   EXPECT_EQ(err("Render { integrator ambient_occlusion ao_distance 2 }", {}), "");
   EXPECT_EQ(err("Render { integrator debug view cost bounces 2 }", {}), "");
   EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("view cost"));
+}
+
+TEST_F(SceneSettingsTest, OptionsOfDistributionChangeWhatTheyAreAbout) {
+  const size_t plain = Rendered("", {"--size", "20", "16"});
+  const size_t gathered = Rendered("", {"--size", "20", "16", "--indirect-samples", "4"});
+  EXPECT_NE(gathered, plain);
+  EXPECT_NE(Rendered("", {"--size", "20", "16", "--indirect-samples", "4", "--indirect-sampling",
+                          "uniform"}),
+            gathered);
+  // Neither lamps nor glossy surfaces nor a lens.
+  EXPECT_EQ(Rendered("", {"--size", "20", "16", "--light-samples", "4", "--glossy-samples", "4",
+                          "--depth-of-field"}),
+            plain);
+}
+
+TEST_F(SceneSettingsTest, LampsThatLightNothingAreNamed) {
+  const auto err = [&](const std::string& shape, std::vector<std::string> arguments) {
+    Put(folder_ / "lamp.txt",
+        "Camera { center 0 1 8 direction 0 0 -1 up 0 1 0 fov 40 } Materials { Material { } }"
+        "Scene { Component<Material> { index 0 } Component<Object> { type " +
+            shape + " } Component<Light> { type area } }");
+    arguments.insert(arguments.begin(), {"render", "lamp.txt", "-o", "o.png", "--size", "9", "9"});
+    return Candela(arguments).err;
+  };
+  EXPECT_EQ(
+      err("sphere radius 1", {}),
+      "candela render: warning: area lights shine but light nothing in 'whitted'; 'candela "
+      "render --light-samples N' samples them, and '--integrator path' follows their light\n");
+  EXPECT_EQ(err("sphere radius 1", {"--light-samples", "1"}), "");
+  EXPECT_EQ(err("plane normal 0 1 0 offset -1", {"--light-samples", "1"}),
+            "candela render: warning: area lights of this shape shine but light nothing in "
+            "'whitted'; '--integrator path' follows their light\n");
 }
 
 TEST_F(SceneSettingsTest, ScenesChooseTheAccelerator) {

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "driver/map_images.h"
+#include "integrators/distribution.h"
 #include "integrators/whitted.h"
 #include "render/render_first_hits.h"
 #include "tests/determinism/test_cases.h"
@@ -128,9 +129,48 @@ std::string LinesOfPlacements() {
   return lines;
 }
 
+std::string LinesOfDistribution() {
+  std::string lines;
+  for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
+    const Subject subject = MakeMeshSubject("distribution", seed);
+    if (!subject.integrator) continue;
+    lines += Line(fmt::format("meshes, distribution {}", seed),
+                  RenderImage(*subject.integrator, WholePicture(kWidth, kHeight)));
+  }
+  return lines;
+}
+
+// Whoever asks for nothing that takes several rays gets the pictures of one.
+TEST(Distribution, WithNothingToDistributeIsWhittedBitByBit) {
+  for (uint32_t seed = 0; seed < kRandomScenes; ++seed) {
+    const Subject subject = MakeMeshSubject("whitted", seed);
+    ASSERT_TRUE(subject.integrator);
+    IntegratorOptions options;
+    options.bounces = 3;
+    options.shadows = true;
+    const DistributionIntegrator integrator(*subject.scene, options);
+    const RenderOptions picture = WholePicture(kWidth, kHeight);
+    EXPECT_TRUE(RenderImage(integrator, picture) == RenderImage(*subject.integrator, picture))
+        << seed;
+  }
+  for (const CourseScene& course : testing_support::kCourseScenes) {
+    const auto scene =
+        testing_support::SceneOfFile(std::filesystem::path("assets/assignment4") / course.file);
+    ASSERT_TRUE(scene);
+    IntegratorOptions options;
+    options.bounces = course.bounces;
+    options.shadows = course.shadows;
+    const RenderOptions picture = WholePicture(kWidth, kHeight);
+    EXPECT_TRUE(RenderImage(DistributionIntegrator(*scene, options), picture) ==
+                RenderImage(WhittedIntegrator(*scene, course.bounces, course.shadows), picture))
+        << course.file;
+  }
+}
+
 TEST(Golden, HashesOfFloatPicturesAreTheStoredOnes) {
   const std::string lines = LinesOfCourseScenes() + LinesOfRandomScenes() + LinesOfPlacements() +
-                            LinesOfMeshScenes() + LinesOfOtherIntegrators() + LinesOfMovingScenes();
+                            LinesOfMeshScenes() + LinesOfOtherIntegrators() +
+                            LinesOfMovingScenes() + LinesOfDistribution();
   if (testing_support::IsUpdate()) {
     ASSERT_TRUE(WriteFileAtomically(kFile, std::as_bytes(std::span(lines))));
     return;

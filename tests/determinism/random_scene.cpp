@@ -156,6 +156,36 @@ std::string RandomScene(uint32_t seed) {
   return writer.TakeText();
 }
 
+std::string RandomDistributionScene(uint32_t seed) {
+  Writer writer(seed);
+  const char* profiles[] = {"homogeneous", "exponential fog_height 2", "linear fog_height 5"};
+  writer.Add("Background {{ fog {} fog_density 0.05 ", profiles[seed % 3]);
+  writer.AddVector("fog_color", 0.2, 0.8);
+  writer.AddVector("color", 0, 0.5);
+  writer.AddVector("ambient_light", 0, 0.2);
+  writer.Add("}}\n");
+  AddCamera(&writer, "aperture 0.3 focus_distance 9");
+  constexpr uint32_t kMaterials = 4;
+  writer.Add("Materials {{\n");
+  for (uint32_t i = 0; i < kMaterials; ++i) {
+    writer.Add("Material {{ ");
+    writer.AddVector("diffuse", 0.1, 0.9);
+    if (i % 2 == 1) {
+      writer.AddVector("specular", 0.2, 0.8);
+      writer.Add("reflection_roughness {:.3f} ", writer.Number(0, 0.6));
+    }
+    if (i == 2) writer.Add("transmittance 0.9 0.8 0.9 ior 1.4 absorption 0.2 0 0.5 ");
+    writer.Add("shininess {:.3f} }}\n", writer.Number(0.5, 60));
+  }
+  writer.Add("}}\nScene {{\n");
+  AddFloor(&writer);
+  for (int i = 0; i < 6; ++i) AddNodes(&writer, kMaterials);
+  AddDirectionalLight(&writer);
+  AddFlatLamps(&writer);
+  writer.Add("}}\n");
+  return writer.TakeText();
+}
+
 std::string RandomDiffuseScene(uint32_t seed, Paths paths) {
   Writer writer(seed);
   // Every kind of light and of surface that the path integrator knows, some in each scene.

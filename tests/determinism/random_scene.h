@@ -10,6 +10,10 @@ namespace candela::determinism {
 /// same text for the same seed, everywhere.
 std::string RandomScene(uint32_t seed);
 
+/// One for `whitted` with all that takes it several rays: a lens, fog, lamps with a surface, glass,
+/// and reflections that are spread.
+std::string RandomDistributionScene(uint32_t seed);
+
 /// Where those begin that an integrator follows. From lights they need a floor that ends, and
 /// bodies of different priorities where they overlap.
 enum class Paths { kFromCamera, kFromLights };

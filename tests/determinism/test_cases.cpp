@@ -19,8 +19,15 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
   if (!subject.scene) return subject;
   IntegratorOptions options;
   options.shadows = true;
-  if (integrator == "whitted") options.bounces = 3;
-  auto created = CreateIntegrator(integrator, *subject.scene, options);
+  const bool has_many_rays = integrator == "distribution";
+  if (integrator == "whitted" || has_many_rays) options.bounces = 3;
+  if (has_many_rays) {
+    options.light_samples = 3;
+    options.glossy_samples = 4;
+    options.indirect_samples = 5;
+    options.depth_of_field = true;
+  }
+  auto created = CreateIntegrator(has_many_rays ? "whitted" : integrator, *subject.scene, options);
   if (!created) {
     ADD_FAILURE() << created.error().message;
     return subject;
@@ -31,6 +38,7 @@ Subject WithIntegrator(const std::string& integrator, std::unique_ptr<Scene> sce
 
 std::string TextFor(const std::string& integrator, uint32_t seed) {
   if (integrator == "whitted") return RandomScene(seed);
+  if (integrator == "distribution") return RandomDistributionScene(seed);
   const bool is_from_lights = integrator == "light_trace";
   return RandomDiffuseScene(seed, is_from_lights ? Paths::kFromLights : Paths::kFromCamera);
 }

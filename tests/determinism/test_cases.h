@@ -17,7 +17,8 @@ struct Subject {
   std::unique_ptr<Integrator> integrator;
 };
 
-/// `whitted` with shadows and three bounces, or one of the others, on a random scene that it takes.
+/// `whitted` with shadows and three bounces, or one of the others, on a random scene that it takes;
+/// "distribution" is `whitted` with all that it can do with several rays.
 Subject MakeSubject(const std::string& integrator, uint32_t seed,
                     AcceleratorKind accelerator = AcceleratorKind::kBvh);
 

@@ -53,7 +53,8 @@ TEST_P(Picture, OfWhatMovesIsTheSameForAnyThreadsAndTiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Picture,
-                         testing::Combine(testing::Values("whitted", "path", "light_trace"),
+                         testing::Combine(testing::Values("whitted", "path", "light_trace",
+                                                          "distribution"),
                                           testing::ValuesIn(Placements())),
                          [](const auto& test) {
                            return std::get<0>(test.param) + ("_" + std::get<1>(test.param).name);

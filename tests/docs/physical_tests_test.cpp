@@ -71,8 +71,10 @@ constexpr Law kLaws[] = {
     {"CF25", "blur disk of a lens"},
     {"CF26", "contrast of filters at a quarter of a cycle per pixel"},
     {"CF27", "the sRGB curve; the course's bytes"},
+    {"CF28", "Beer's law, in even and in linear fog"},
     {"CF32", "density and masking of GGX"},
     {"CF33", "normalised Phong lobe: albedo ks"},
+    {"CF35", "penumbra of a straight edge"},
     {"CF37", "mean chord: 4 V / S"},
     {"CF38", "albedo of a rough mirror after one bounce"},
 };

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "integrators/registry.h"
@@ -26,9 +28,18 @@ IntegratorOptions Bounces(uint32_t bounces) {
   return options;
 }
 
+/// "distribution" is `whitted` with several rays.
+Result<std::unique_ptr<Integrator>> Make(std::string_view integrator, const Scene& scene,
+                                         IntegratorOptions options) {
+  if (integrator != "distribution") return CreateIntegrator(integrator, scene, options);
+  options.light_samples = 3;
+  options.indirect_samples = 4;
+  return CreateIntegrator("whitted", scene, options);
+}
+
 Recorded Record(std::string_view integrator, const Scene& scene,
                 const std::vector<SampleRequest>& requests, const IntegratorOptions& options) {
-  const auto made = CreateIntegrator(integrator, scene, options);
+  const auto made = Make(integrator, scene, options);
   EXPECT_TRUE(made.ok());
   Recorded recorded;
   recorded.radiance.resize(requests.size());
@@ -49,7 +60,8 @@ std::vector<SampleRequest> Grid() {
 }
 
 class EveryRecorder : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Integrators, EveryRecorder, testing::Values("whitted", "path"),
+INSTANTIATE_TEST_SUITE_P(Integrators, EveryRecorder,
+                         testing::Values("whitted", "path", "distribution"),
                          [](const auto& test) { return std::string(test.param); });
 
 const std::string kStillLife =
@@ -83,7 +95,7 @@ TEST_P(EveryRecorder, LightScatteredNeverOnceAndMoreOftenIsAllLight) {
 
 TEST_P(EveryRecorder, RecordingChangesNoLight) {
   const auto scene = CompileText(kStillLife);
-  const auto made = CreateIntegrator(GetParam(), *scene, Bounces(3));
+  const auto made = Make(GetParam(), *scene, Bounces(3));
   ASSERT_TRUE(made.ok());
   const auto requests = Grid();
   std::vector<Spectrum> radiance(requests.size());

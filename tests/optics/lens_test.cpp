@@ -67,6 +67,28 @@ TEST(Lens, BlursAPointToADiskOfItsOpeningTimesTheDefocus) {
   }
 }
 
+// CF25: the same in `whitted`, when it is asked to look through the lens; else the point is as
+// large as it is.
+TEST(Lens, BlursInWhittedOnlyWithDepthOfField) {
+  constexpr double kWidth = 0.16, kPoint = 0.02;
+  const double fov = 2 * std::atan(kWidth / 2 / 5) * 180 / kPi;
+  const auto scene =
+      test::SceneOf(test::Shining("translate 0 0 -10", fmt::format("disk radius {}", kPoint)), fov,
+                    "aperture 0.2 focus_distance 5");
+  for (const bool depth_of_field : {false, true}) {
+    IntegratorOptions options;
+    options.depth_of_field = depth_of_field;
+    const auto integrator = CreateIntegrator("whitted", *scene, options);
+    ASSERT_TRUE(integrator);
+    const Spot spot = SpotOf(
+        testing_support::RenderImage(**integrator, test::Picture(64, 64, "box", 1024)), kWidth);
+    // Seen in the plane of focus the disk is half as large.
+    const double of_point = kPoint * kPoint / 4 / 2;
+    const double expected = (depth_of_field ? 0.05 * 0.05 / 2 : 0) + of_point;
+    EXPECT_NEAR(spot.spread, expected, 0.01 * expected);
+  }
+}
+
 // P14: of a point in focus nothing is blurred: it is as large as it is.
 TEST(Lens, ShowsWhatIsInFocusAsAPinholeDoes) {
   const std::string point = test::Shining("translate 0 0 -5", "disk radius 0.03");

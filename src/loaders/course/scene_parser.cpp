@@ -15,6 +15,7 @@
 #include "loaders/course/block_words.h"
 #include "loaders/course/load_meshes.h"
 #include "loaders/course/node_parser.h"
+#include "loaders/course/read_fog.h"
 #include "loaders/course/read_sky.h"
 #include "loaders/course/scene_text.h"
 #include "loaders/course/typed_block.h"
@@ -200,6 +201,7 @@ class Parser {
     background.cube_map_where = reader.Where("cube_map");
     background.sky = ReadSky(&reader);
     ReadEnvironment(&reader);
+    background.fog = ReadFog(&reader);
     reader.Finish();
   }
 

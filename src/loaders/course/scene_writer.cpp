@@ -94,6 +94,7 @@ class Writer {
       Line(fmt::format("rotate {}", background.environment_rotate_degrees));
     }
     if (background.sky) WriteSky(*background.sky, background.environment_scale);
+    if (background.fog) WriteFog(*background.fog);
     Close();
   }
 
@@ -105,6 +106,15 @@ class Writer {
     Line(fmt::format("sun_azimuth {}", sky.sun_azimuth_degrees));
     Line("ground_albedo " + candela::ToText(sky.ground_albedo));
     Line(fmt::format("sun {}", sky.has_sun));
+  }
+
+  void WriteFog(const FogSpec& fog) {
+    Line(fmt::format("fog {}", FogSpec::kProfileWords[static_cast<size_t>(fog.profile)]));
+    Line("fog_color " + candela::ToText(fog.color));
+    Line(fmt::format("fog_density {}", fog.density));
+    if (fog.profile == FogSpec::Profile::kHomogeneous) return;
+    Line(fmt::format("fog_base {}", fog.base));
+    Line(fmt::format("fog_height {}", fog.height));
   }
 
   template <class Spec, class WriteOne>

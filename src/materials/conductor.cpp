@@ -119,6 +119,9 @@ void ConductorMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   }
   if (params_.is_brushed) {
     bsdf->frame = Frame::FromNormalAndTangent(bsdf->frame.z, point.dpdu);
+    // The frame is mirrored on the inside, and what is turned in it with it.
+    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+    if (!is_outside) lobe.conductor.sin_rotation = -params_.sin_rotation;
   } else {
     const float alpha = roughness_.AlphaAt(point);
     if (alpha < kSmoothestAlpha) lobe.kind = LobeKind::kSmoothConductor;

@@ -91,6 +91,7 @@ struct PrincipledParams {
   float coat_alpha;       ///< the roughness of the coat,
   float sheen_roughness;  ///< and of the fuzz.
   float row, coat_row;    ///< Of their tables.
+  float sin_rotation;     ///< Of the brushing, in the frame, with the cosine that `layers` have.
   /// Multiplies what the layers above let through to the ground, and what is missing after one
   /// bounce on metal, of light from either direction.
   Rgb ground, multiple;

@@ -110,13 +110,14 @@ PhongTerms PrincipledMaterial::Phong(const SurfacePoint& point) const {
   return {ground, ground, specular, ShininessOf(inputs_.roughness.AlphaAt(point))};
 }
 
-Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color,
-                                    float metallic) const {
+Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic,
+                                    bool is_outside) const {
   Lobe lobe{LobeKind::kPrincipled, 1, Spectrum(base_color)};
   PrincipledParams& params = lobe.principled;
   params.layers = &layers_;
   params.surface = Brushed(inputs_.roughness.AlphaAt(point), inputs_.anisotropy.At(point));
   params.row = layers_.RowOf(params.surface);
+  params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
   params.metallic = metallic;
   params.specular =
       Tinted(base_color, inputs_.specular_tint.At(point)) * inputs_.specular.At(point);
@@ -148,7 +149,9 @@ void PrincipledMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   const float glass = glass_ ? (1 - metallic) * inputs_.transmission.At(point) : 0;
   if (glass < 1) {
     const int first = bsdf->count;
-    bsdf->Add(OpaqueLobe(point, color, std::min(metallic / (1 - glass), 1.0f)));
+    // The frame is mirrored on the inside, and what is turned in it with it.
+    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+    bsdf->Add(OpaqueLobe(point, color, std::min(metallic / (1 - glass), 1.0f), is_outside));
     if (glass > 0) bsdf->Mix(first, 1 - glass);
   }
   if (glass > 0) {

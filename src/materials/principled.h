@@ -49,7 +49,7 @@ class PrincipledMaterial final : public Material {
     return input.IsTextured() || input.value() > 0;
   }
   PrincipledLayers MakeLayers() const;
-  Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic) const;
+  Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic, bool is_outside) const;
 
   Inputs inputs_;
   PrincipledLayers layers_;

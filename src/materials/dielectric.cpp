@@ -14,24 +14,19 @@ namespace {
 /// one direction to the other.
 constexpr float kLeastContrast = 1e-3f;
 
-EnergyTable EnergyOf(float eta, const Roughness& roughness) {
-  return roughness.MakeTable(
-      [eta](const Ggx& surface, Vec3 wo, Vec3 m) { return DielectricFacet(eta, surface, wo, m); },
-      EnergyTable::Detail::kEdge);
-}
-
-/// One for each colour.
-std::vector<EnergyTable> EnergyOf(float eta, const Roughness& roughness, const FilmTable& film) {
+/// The middle one of three, for red, green and blue.
+std::shared_ptr<const EnergyTable> EnergyOf(float eta, const Roughness& roughness,
+                                            const FilmTable& film) {
   DielectricParams glass{};
   glass.eta = eta;
   glass.film.table = &film;
-  std::vector<EnergyTable> tables;
+  const auto tables = std::make_shared<std::vector<EnergyTable>>();
   for (int c = 0; c < 3; ++c) {
-    tables.push_back(roughness.MakeTable(
+    tables->push_back(roughness.MakeTable(
         [&](const Ggx& surface, Vec3 wo, Vec3 m) { return FilmFacet(glass, c, surface, wo, m); },
         EnergyTable::Detail::kEdge));
   }
-  return tables;
+  return {tables, &(*tables)[1]};
 }
 
 std::optional<FilmInput> ReadFilm(ParamReader* params, const MaterialContext& context,
@@ -60,22 +55,24 @@ std::unique_ptr<Material> DielectricMaterial::Create(ParamReader* params,
   Roughness roughness = Roughness::Create(params, context);
   auto film = ReadFilm(params, context, roughness);
   return std::make_unique<DielectricMaterial>(medium, std::move(roughness), context.indices,
-                                              std::move(film));
+                                              std::move(film), context.energies.get());
 }
 
 DielectricMaterial::DielectricMaterial(const Medium& medium, Roughness roughness,
                                        std::span<const float> indices,
-                                       std::optional<FilmInput> film)
+                                       std::optional<FilmInput> film, EnergyStore* energies)
     : medium_(medium), roughness_(std::move(roughness)), film_(std::move(film)) {
   if (roughness_.IsNowhere() && !film_) return;
-  AddTables(1, medium.ior);
+  EnergyStore own;
+  if (!energies) energies = &own;
+  AddTables(1, medium.ior, energies);
   for (size_t i = 0; i < indices.size(); ++i) {
     // Films lie also between bodies of the same index, as that of a bubble does.
-    for (size_t j = 0; j < i + (film_ ? 1 : 0); ++j) AddTables(indices[i], indices[j]);
+    for (size_t j = 0; j < i + (film_ ? 1 : 0); ++j) AddTables(indices[i], indices[j], energies);
   }
 }
 
-void DielectricMaterial::AddTables(float index_a, float index_b) {
+void DielectricMaterial::AddTables(float index_a, float index_b, EnergyStore* energies) {
   const bool has_energy =
       !roughness_.IsNowhere() && std::abs(index_b / index_a - 1) >= kLeastContrast;
   if (!has_energy && !film_) return;
@@ -88,17 +85,17 @@ void DielectricMaterial::AddTables(float index_a, float index_b) {
     const float outside = std::min(index_a, index_b), base = std::max(index_a, index_b);
     tables.film = film_->MakeTable(outside, {base, base, base}, {0, 0, 0});
   }
-  if (has_energy) AddEnergy(&tables);
+  if (has_energy) AddEnergy(&tables, energies);
 }
 
-void DielectricMaterial::AddEnergy(Tables* tables) const {
+void DielectricMaterial::AddEnergy(Tables* tables, EnergyStore* energies) const {
   const float eta = tables->index_b / tables->index_a;
   if (tables->film) {
     tables->from_a = EnergyOf(eta, roughness_, *tables->film);
     tables->from_b = EnergyOf(1 / eta, roughness_, *tables->film);
   } else {
-    tables->from_a = {EnergyOf(eta, roughness_)};
-    tables->from_b = {EnergyOf(1 / eta, roughness_)};
+    tables->from_a = energies->OfDielectric(eta, roughness_);
+    tables->from_b = energies->OfDielectric(1 / eta, roughness_);
   }
 }
 
@@ -126,13 +123,10 @@ void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
       const bool is_from_a = tables.index_a == here->ior && tables.index_b == beyond->ior;
       if (!is_from_a && !(tables.index_b == here->ior && tables.index_a == beyond->ior)) continue;
       if (film_) lobe.dielectric.film = FilmOf(tables, *here, *beyond, wavelength, point);
-      if (is_rough && !tables.from_a.empty()) {
-        // Of three the middle one, see `DielectricParams`.
-        const EnergyTable* from_a = &tables.from_a[tables.from_a.size() / 2];
-        const EnergyTable* from_b = &tables.from_b[tables.from_b.size() / 2];
+      if (is_rough && tables.from_a) {
         lobe.kind = LobeKind::kDielectric;
-        lobe.dielectric.energy_here = is_from_a ? from_a : from_b;
-        lobe.dielectric.energy_beyond = is_from_a ? from_b : from_a;
+        lobe.dielectric.energy_here = (is_from_a ? tables.from_a : tables.from_b).get();
+        lobe.dielectric.energy_beyond = (is_from_a ? tables.from_b : tables.from_a).get();
         lobe.dielectric.table_row = roughness_.TableRow(alpha);
       }
       break;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "materials/energy_store.h"
 #include "materials/film_input.h"
 #include "materials/material.h"
 #include "materials/material_context.h"
@@ -18,9 +19,10 @@ namespace candela {
 /// normal points away from.
 class DielectricMaterial final : public Material {
  public:
-  /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
+  /// `indices` are those of other media that may lie on either side, and `energies` has the tables
+  /// of other materials; see `MaterialContext`.
   DielectricMaterial(const Medium& medium, Roughness roughness, std::span<const float> indices = {},
-                     std::optional<FilmInput> film = std::nullopt);
+                     std::optional<FilmInput> film = std::nullopt, EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;
@@ -34,14 +36,14 @@ class DielectricMaterial final : public Material {
  private:
   struct Tables {
     float index_a, index_b;
-    /// Of a rough boundary, for light that comes from the one side and from the other: one table,
-    /// or under a film one for each colour.
-    std::vector<EnergyTable> from_a, from_b;
+    /// Of a rough boundary, for light that comes from the one side and from the other; under a film
+    /// the middle one of three, as in `DielectricParams`.
+    std::shared_ptr<const EnergyTable> from_a, from_b;
     std::optional<FilmTable> film;
   };
 
-  void AddTables(float index_a, float index_b);
-  void AddEnergy(Tables* tables) const;
+  void AddTables(float index_a, float index_b, EnergyStore* energies);
+  void AddEnergy(Tables* tables, EnergyStore* energies) const;
   FilmParams FilmOf(const Tables& tables, const Medium& here, const Medium& beyond,
                     float wavelength, const SurfacePoint& point) const;
 

@@ -67,15 +67,17 @@ std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
     params->Error(params->Where("ior"), "a 'principled' surface has an 'ior' above 1");
     inputs.ior = 1.5f;
   }
-  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices);
+  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices,
+                                              context.energies.get());
 }
 
-PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices)
+PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices,
+                                       EnergyStore* energies)
     : inputs_(std::move(inputs)), layers_(MakeLayers()) {
   if (MayBeAbove0(inputs_.clearcoat)) layers_.AddCoat(inputs_.clearcoat_roughness);
   if (MayBeAbove0(inputs_.sheen)) layers_.AddSheen();
   if (MayBeAbove0(inputs_.transmission)) {
-    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices);
+    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices, std::nullopt, energies);
   }
 }
 
@@ -115,9 +117,9 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   Lobe lobe{LobeKind::kPrincipled, 1, Spectrum(base_color)};
   PrincipledParams& params = lobe.principled;
   params.layers = &layers_;
+  params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
   params.surface = Brushed(inputs_.roughness.AlphaAt(point), inputs_.anisotropy.At(point));
   params.row = layers_.RowOf(params.surface);
-  params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
   params.metallic = metallic;
   params.specular =
       Tinted(base_color, inputs_.specular_tint.At(point)) * inputs_.specular.At(point);

@@ -33,7 +33,8 @@ class PrincipledMaterial final : public Material {
   };
 
   /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
-  explicit PrincipledMaterial(Inputs inputs, std::span<const float> indices = {});
+  explicit PrincipledMaterial(Inputs inputs, std::span<const float> indices = {},
+                              EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;

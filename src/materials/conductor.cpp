@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "materials/conductor_lobe.h"
 #include "materials/fresnel.h"
 #include "materials/metals.h"
 #include "math/elementary.h"
@@ -62,20 +63,26 @@ std::unique_ptr<Material> ConductorMaterial::Create(ParamReader* params,
   const std::optional<Ggx> brushing = ReadBrushing(params);
   if (brushing) {
     const float rotation = params->Number("rotation", 0);
-    return std::make_unique<ConductorMaterial>(metal.eta, metal.k, *brushing, rotation);
+    return std::make_unique<ConductorMaterial>(metal.eta, metal.k, *brushing, rotation,
+                                               FilmInput::Create(params, context));
   }
-  return std::make_unique<ConductorMaterial>(metal.eta, metal.k,
-                                             Roughness::Create(params, context));
+  Roughness roughness = Roughness::Create(params, context);
+  return std::make_unique<ConductorMaterial>(metal.eta, metal.k, std::move(roughness),
+                                             FilmInput::Create(params, context));
 }
 
-ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Roughness roughness)
-    : params_{eta, k, MeanConductorReflectance(eta, k), {0, 0}, 1, 0, nullptr, 0, false},
-      roughness_(std::move(roughness)) {
+ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Roughness roughness,
+                                     std::optional<FilmInput> film)
+    : params_{eta, k, MeanConductorReflectance(eta, k), {0, 0}, 1, 0, nullptr, 0, false, {}},
+      roughness_(std::move(roughness)),
+      film_(std::move(film)) {
   if (!roughness_.IsNowhere()) energy_ = roughness_.MakeTable(MirrorFacet);
+  if (film_) film_table_ = film_->MakeTable(1, eta, k);
 }
 
-ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Ggx surface, float rotation_degrees)
-    : ConductorMaterial(eta, k, Roughness::OfAlpha(0)) {
+ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Ggx surface, float rotation_degrees,
+                                     std::optional<FilmInput> film)
+    : ConductorMaterial(eta, k, Roughness::OfAlpha(0), std::move(film)) {
   const auto degrees = static_cast<double>(rotation_degrees);
   params_.cos_rotation = static_cast<float>(CosDegrees(degrees));
   params_.sin_rotation = static_cast<float>(SinDegrees(degrees));
@@ -89,15 +96,32 @@ PhongTerms ConductorMaterial::Phong(const SurfacePoint& point) const {
   const float alpha = params_.is_brushed
                           ? std::max(params_.surface.alpha_x, params_.surface.alpha_y)
                           : roughness_.AlphaAt(point);
-  return {{}, {}, ConductorReflectance(1, params_.eta, params_.k), ShininessOf(alpha)};
+  const Rgb head_on = MetalReflectance(params_.eta, params_.k, FilmAt(point), 1);
+  return {{}, {}, head_on, ShininessOf(alpha)};
+}
+
+FilmParams ConductorMaterial::FilmAt(const SurfacePoint& point) const {
+  if (!film_) return {};
+  FilmParams film{};
+  film.table = &*film_table_;
+  film.row = film_table_->RowOf(film_->ThicknessAt(point));
+  return film;
 }
 
 void ConductorMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   Lobe lobe{LobeKind::kConductor, 1, Spectrum(1)};
   lobe.conductor = params_;
   lobe.conductor.energy = energy_ ? &*energy_ : nullptr;
+  if (film_) {
+    const FilmParams film = FilmAt(point);
+    lobe.conductor.film = film;
+    lobe.conductor.mean_fresnel = Min(params_.mean_fresnel + film.table->Mean(film.row), {1, 1, 1});
+  }
   if (params_.is_brushed) {
     bsdf->frame = Frame::FromNormalAndTangent(bsdf->frame.z, point.dpdu);
+    // The frame is mirrored on the inside, and what is turned in it with it.
+    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+    if (!is_outside) lobe.conductor.sin_rotation = -params_.sin_rotation;
   } else {
     const float alpha = roughness_.AlphaAt(point);
     if (alpha < kSmoothestAlpha) lobe.kind = LobeKind::kSmoothConductor;

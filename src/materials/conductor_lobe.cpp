@@ -5,6 +5,7 @@
 
 #include "materials/energy_table.h"
 #include "materials/fresnel.h"
+#include "materials/thin_film.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -47,7 +48,7 @@ Spectrum Value(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   const float single = metal.surface.Density(half * (1 / length)) *
                        metal.surface.MaskingAndShadowing(wo, wi) / (4 * wo.z * wi.z);
   // Half of the length is the cosine of both to the facet, with the same rounding.
-  const Rgb fresnel = ConductorReflectance(std::min(length / 2, 1.0f), metal.eta, metal.k);
+  const Rgb fresnel = MetalReflectance(metal.eta, metal.k, metal.film, std::min(length / 2, 1.0f));
 
   const float mean = metal.energy->Mean(metal.table_row);
   const float missing = (1 - SingleShare(metal, wo)) * (1 - SingleShare(metal, wi));
@@ -65,11 +66,17 @@ float Density(const ConductorParams& metal, Vec3 wo, Vec3 wi) {
 
 }  // namespace
 
+Rgb MetalReflectance(Rgb eta, Rgb k, const FilmParams& film, float cosine) {
+  const Rgb bare = ConductorReflectance(cosine, eta, k);
+  return film.table ? film.table->Over(bare, cosine, film.row) : bare;
+}
+
 LobeSample SampleSmoothConductor(const Lobe& lobe, Vec3 wo) {
+  const ConductorParams& metal = lobe.conductor;
   LobeSample sample;
   sample.wi = MirrorDirection(wo);
-  sample.weight = lobe.weight * Spectrum(ConductorReflectance(
-                                    std::min(wo.z, 1.0f), lobe.conductor.eta, lobe.conductor.k));
+  sample.weight = lobe.weight *
+                  Spectrum(MetalReflectance(metal.eta, metal.k, metal.film, std::min(wo.z, 1.0f)));
   sample.pdf = 1;
   sample.is_delta = true;
   return sample;

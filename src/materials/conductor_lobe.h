@@ -4,6 +4,9 @@
 
 namespace candela {
 
+/// What a metal reflects at a cosine to its normal, under a film or bare.
+Rgb MetalReflectance(Rgb eta, Rgb k, const FilmParams& film, float cosine);
+
 /// A polished metal.
 LobeSample SampleSmoothConductor(const Lobe& lobe, Vec3 wo);
 

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "materials/energy_store.h"
+#include "materials/film_input.h"
 #include "materials/material.h"
 #include "materials/material_context.h"
 #include "materials/medium.h"
@@ -16,29 +19,39 @@ namespace candela {
 /// normal points away from.
 class DielectricMaterial final : public Material {
  public:
-  /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
-  DielectricMaterial(const Medium& medium, Roughness roughness,
-                     std::span<const float> indices = {});
+  /// `indices` are those of other media that may lie on either side, and `energies` has the tables
+  /// of other materials; see `MaterialContext`.
+  DielectricMaterial(const Medium& medium, Roughness roughness, std::span<const float> indices = {},
+                     std::optional<FilmInput> film = std::nullopt, EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;
   void Evaluate(const SurfacePoint& point, Bsdf* bsdf) const override;
   const Medium* Body() const override { return &medium_; }
-  bool NeedsTextureCoordinates() const override { return roughness_.NeedsTextureCoordinates(); }
+  bool NeedsTextureCoordinates() const override {
+    return roughness_.NeedsTextureCoordinates() || (film_ && film_->NeedsTextureCoordinates());
+  }
   bool IsPhysical() const override { return true; }
 
  private:
-  /// Of a rough boundary, for light that comes from the one side and from the other.
   struct Tables {
     float index_a, index_b;
-    EnergyTable from_a, from_b;
+    /// Of a rough boundary, for light that comes from the one side and from the other; under a film
+    /// the middle one of three, as in `DielectricParams`.
+    std::shared_ptr<const EnergyTable> from_a, from_b;
+    std::optional<FilmTable> film;
   };
 
-  void AddTables(float index_a, float index_b);
+  void AddTables(float index_a, float index_b, EnergyStore* energies);
+  void AddEnergy(Tables* tables, EnergyStore* energies) const;
+  FilmParams FilmOf(const Tables& tables, const Medium& here, const Medium& beyond,
+                    float wavelength, const SurfacePoint& point) const;
 
   Medium medium_;
   Roughness roughness_;
-  std::vector<Tables> tables_;  ///< Of a rough one, for the media that may meet at it.
+  std::optional<FilmInput> film_;
+  /// Of a rough one and of one with a film, for the media that may meet at it.
+  std::vector<Tables> tables_;
 };
 
 }  // namespace candela

@@ -7,6 +7,7 @@
 
 #include "materials/energy_table.h"
 #include "materials/fresnel.h"
+#include "materials/thin_film.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -32,6 +33,26 @@ float ThirdNumber(Vec2 u) {
   bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;
   bits ^= bits >> 31;
   return static_cast<float>(bits >> 40) * 0x1p-24f;
+}
+
+/// Like `DielectricReflectance`, for a boundary with a film. A film that absorbs nothing reflects
+/// the same from both sides, so it is looked up from the one where nothing is reflected wholly.
+Rgb FilmedReflectance(const FilmParams& film, float cosine, float eta, float* beyond) {
+  const float bare = DielectricReflectance(cosine, eta, beyond);
+  const bool is_whole = *beyond == 0;
+  if (is_whole) return {1, 1, 1};
+  const float outside = eta < 1 ? *beyond : cosine;
+  if (film.wavelength == 0) return film.table->Over({bare, bare, bare}, outside, film.row);
+  const FilmStack stack{double{film.ior} / double{film.outside},
+                        {double{eta < 1 ? 1 / eta : eta}, 0},
+                        double{film.outside}};
+  const auto reflectance = static_cast<float>(
+      FilmReflectance(stack, double{film.thickness}, double{film.wavelength}, double{outside}));
+  return {reflectance, reflectance, reflectance};
+}
+
+float MeanOf(Rgb c) {
+  return (c.x + c.y + c.z) / 3;
 }
 
 /// The share of the light on `wo` that is gone after one bounce.
@@ -70,8 +91,9 @@ struct FacetPath {
   bool is_possible = false;
   Vec3 m;
   float o_dot_m = 0, i_dot_m = 0;
-  float reflectance = 0;
-  float jacobian = 0;  ///< Density of `wi` over that of `m`.
+  float reflectance = 0;  ///< By which it is drawn: under a film the mean of the colours.
+  Rgb by_colour;          ///< Under a film.
+  float jacobian = 0;     ///< Density of `wi` over that of `m`.
 };
 
 FacetPath PathOver(const DielectricParams& glass, Vec3 wo, Vec3 wi) {
@@ -90,9 +112,14 @@ FacetPath PathOver(const DielectricParams& glass, Vec3 wo, Vec3 wi) {
   // What goes through is judged from the thinner side, where the reflectance has no steep end.
   const bool is_from_beyond = !is_reflection && glass.eta < 1;
   const float cosine = is_from_beyond ? -path.i_dot_m : path.o_dot_m;
+  const float eta = is_from_beyond ? 1 / glass.eta : glass.eta;
   float unused;
-  path.reflectance = DielectricReflectance(std::min(cosine, 1.0f),
-                                           is_from_beyond ? 1 / glass.eta : glass.eta, &unused);
+  if (glass.film.table) {
+    path.by_colour = FilmedReflectance(glass.film, std::min(cosine, 1.0f), eta, &unused);
+    path.reflectance = MeanOf(path.by_colour);
+  } else {
+    path.reflectance = DielectricReflectance(std::min(cosine, 1.0f), eta, &unused);
+  }
   if (is_reflection) {
     path.jacobian = 1 / (4 * path.o_dot_m);
   } else {
@@ -130,15 +157,65 @@ float Value(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 
   return SingleValue(glass, path, wo, wi) + MultipleValue(glass, wo, wi);
 }
 
+/// The boundary as one of three colours meets it.
+DielectricParams OfColour(const DielectricParams& glass, int colour) {
+  DielectricParams single = glass;
+  single.energy_here += colour - 1;
+  single.energy_beyond += colour - 1;
+  return single;
+}
+
+/// The value for a direction, with the colours of a film.
+Spectrum ValueByColour(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
+  if (!glass.film.table) return Spectrum(Value(glass, path, wo, wi));
+  Rgb values;
+  FacetPath single = path;
+  for (int c = 0; c < 3; ++c) {
+    single.reflectance = path.by_colour[c];
+    values[c] = Value(OfColour(glass, c), single, wo, wi);
+  }
+  return Spectrum(values);
+}
+
 /// A value for a direction, with the colour of what goes through.
-Spectrum Coloured(const Lobe& lobe, float value, Vec3 wi) {
-  return wi.z > 0 ? Spectrum(value) : lobe.weight * value;
+Spectrum Coloured(const Lobe& lobe, const Spectrum& value, Vec3 wi) {
+  return wi.z > 0 ? value : lobe.weight * value;
 }
 
 float RefractedShare(float eta, const Ggx& surface, Vec3 wo, Vec3 m, float cos_beyond) {
   const Vec3 wi = Refracted(wo, m, eta, cos_beyond);
   if (!(wi.z < 0)) return 0;
   return surface.MaskingAndShadowing(wo, wi) / surface.Masking(wo);
+}
+
+/// What a facet gives back, where the cosine to its back of what it refracts is `beyond`.
+float FacetShare(float reflectance, float eta, const Ggx& surface, Vec3 wo, Vec3 m, float beyond) {
+  float share = reflectance * MirrorFacet(surface, wo, m);
+  if (reflectance < 1) share += (1 - reflectance) * RefractedShare(eta, surface, wo, m, beyond);
+  return share;
+}
+
+/// Polished glass under a film, which reflects each colour differently.
+LobeSample SampleFilm(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  const float eta = lobe.dielectric.eta;
+  float beyond;
+  const Rgb reflectance =
+      FilmedReflectance(lobe.dielectric.film, std::min(wo.z, 1.0f), eta, &beyond);
+  const float mean = MeanOf(reflectance);
+  LobeSample sample;
+  sample.is_delta = true;
+  if (u.x < mean) {
+    sample.wi = MirrorDirection(wo);
+    sample.pdf = mean;
+    sample.weight = Spectrum(reflectance * (1 / mean));
+  } else {
+    sample.wi = Refracted(wo, {0, 0, 1}, eta, beyond);
+    sample.pdf = 1 - mean;
+    const Rgb through = Rgb{1, 1, 1} - reflectance;
+    sample.weight = lobe.weight * Spectrum(through * (1 / (sample.pdf * eta * eta)));
+    sample.eta = eta;
+  }
+  return sample;
 }
 
 Rgb Exp(Rgb x) {
@@ -148,6 +225,7 @@ Rgb Exp(Rgb x) {
 }  // namespace
 
 LobeSample SampleSmoothDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
+  if (lobe.dielectric.film.table) return SampleFilm(lobe, wo, u);
   const float eta = lobe.dielectric.eta;
   float beyond;
   const float reflectance = DielectricReflectance(std::min(wo.z, 1.0f), eta, &beyond);
@@ -168,7 +246,7 @@ LobeSample SampleSmoothDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
 
 Spectrum EvalDielectric(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   const FacetPath path = PathOver(lobe.dielectric, wo, wi);
-  return Coloured(lobe, Value(lobe.dielectric, path, wo, wi), wi);
+  return Coloured(lobe, ValueByColour(lobe.dielectric, path, wo, wi), wi);
 }
 
 float DielectricPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
@@ -183,7 +261,9 @@ LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
     const Vec3 m = glass.surface.SampleVisible(wo, u);
     const float cosine = std::min(Dot(wo, m), 1.0f);
     float beyond;
-    const float reflectance = DielectricReflectance(cosine, glass.eta, &beyond);
+    const float reflectance =
+        glass.film.table ? MeanOf(FilmedReflectance(glass.film, cosine, glass.eta, &beyond))
+                         : DielectricReflectance(cosine, glass.eta, &beyond);
     is_reflection = ThirdNumber(u) < reflectance;
     sample.wi = is_reflection ? Reflected(wo, m) : Refracted(wo, m, glass.eta, beyond);
   } else {
@@ -196,7 +276,8 @@ LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
   const FacetPath path = PathOver(glass, wo, sample.wi);
   sample.pdf = DensityOf(glass, path, wo, sample.wi);
   if (!(sample.pdf > 0)) return {};
-  const float weight = Value(glass, path, wo, sample.wi) * std::abs(sample.wi.z) / sample.pdf;
+  const Spectrum value = ValueByColour(glass, path, wo, sample.wi);
+  const Spectrum weight = value * std::abs(sample.wi.z) / Spectrum(sample.pdf);
   sample.weight = Coloured(lobe, weight, sample.wi);
   if (!is_reflection) sample.eta = glass.eta;
   return sample;
@@ -211,9 +292,14 @@ float CoatFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m) {
 float DielectricFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m) {
   float beyond;
   const float reflectance = DielectricReflectance(std::min(Dot(wo, m), 1.0f), eta, &beyond);
-  float share = reflectance * MirrorFacet(surface, wo, m);
-  if (reflectance < 1) share += (1 - reflectance) * RefractedShare(eta, surface, wo, m, beyond);
-  return share;
+  return FacetShare(reflectance, eta, surface, wo, m, beyond);
+}
+
+float FilmFacet(const DielectricParams& glass, int colour, const Ggx& surface, Vec3 wo, Vec3 m) {
+  float beyond;
+  const Rgb reflectance =
+      FilmedReflectance(glass.film, std::min(Dot(wo, m), 1.0f), glass.eta, &beyond);
+  return FacetShare(reflectance[colour], glass.eta, surface, wo, m, beyond);
 }
 
 // With the reflectance R of one face and the transmittance a of the way between them, the rays that

@@ -16,9 +16,10 @@ Spectrum EvalDielectric(const Lobe& lobe, Vec3 wo, Vec3 wi);
 float DielectricPdf(const Lobe& lobe, Vec3 wo, Vec3 wi);
 LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u);
 
-/// For the table of energies: what a facet of that index reflects and lets through, and what it
-/// reflects alone.
+/// For the table of energies: what a facet of that index reflects and lets through, the same under
+/// the film of `glass` for one of the three colours, and what it reflects alone.
 float DielectricFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m);
+float FilmFacet(const DielectricParams& glass, int colour, const Ggx& surface, Vec3 wo, Vec3 m);
 float CoatFacet(float eta, const Ggx& surface, Vec3 wo, Vec3 m);
 
 /// A pane with all its inner reflections.

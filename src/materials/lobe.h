@@ -10,6 +10,7 @@
 namespace candela {
 
 class EnergyTable;
+class FilmTable;
 class PrincipledLayers;
 
 /// What a surface can do with light: a closed list, since transport dispatches on it.
@@ -37,6 +38,15 @@ struct PhongLobeParams {
   float exponent;
 };
 
+/// A thin clear film on a surface.
+struct FilmParams {
+  const FilmTable* table;  ///< Null where there is none.
+  float row;               ///< Of its thickness.
+  /// Of light of one wavelength, in nanometres, or 0; it is not looked up: the indices of the film
+  /// and of the side with the lower one, and the thickness in nanometres.
+  float wavelength, ior, outside, thickness;
+};
+
 struct ConductorParams {
   Rgb eta, k;        ///< The complex refractive index eta + i k.
   Rgb mean_fresnel;  ///< The reflectance for diffuse light.
@@ -45,14 +55,17 @@ struct ConductorParams {
   const EnergyTable* energy;         ///< Of what a white metal reflects after one bounce.
   float table_row;                   ///< Of one that is not brushed.
   bool is_brushed;                   ///< The rows of the table are azimuths.
+  FilmParams film;
 };
 
 struct DielectricParams {
   float eta;  ///< The refractive index beyond the surface over that on the side of `wo`.
   Ggx surface;
-  /// Of what is reflected or let through after one bounce, for light from either side.
+  /// Of what is reflected or let through after one bounce, for light from either side. Where there
+  /// is a film, each is the middle one of three, for red, green and blue.
   const EnergyTable *energy_here, *energy_beyond;
   float table_row;
+  FilmParams film;
 };
 
 struct PaneParams {
@@ -78,6 +91,7 @@ struct PrincipledParams {
   float coat_alpha;       ///< the roughness of the coat,
   float sheen_roughness;  ///< and of the fuzz.
   float row, coat_row;    ///< Of their tables.
+  float sin_rotation;     ///< Of the brushing, in the frame, with the cosine that `layers` have.
   /// Multiplies what the layers above let through to the ground, and what is missing after one
   /// bounce on metal, of light from either direction.
   Rgb ground, multiple;

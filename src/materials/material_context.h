@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 namespace candela {
 
+class EnergyStore;
 class Material;
 
 /// What a material may ask for while it is created.
@@ -19,6 +21,9 @@ struct MaterialContext : TextureContext {
   /// The refractive indices between any two of which a surface may lie, where the scene says what
   /// fills objects; else none.
   std::vector<float> indices;
+
+  /// Where materials find tables that others have made; null where each makes its own.
+  std::shared_ptr<EnergyStore> energies = nullptr;
 };
 
 }  // namespace candela

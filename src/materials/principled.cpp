@@ -67,15 +67,17 @@ std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
     params->Error(params->Where("ior"), "a 'principled' surface has an 'ior' above 1");
     inputs.ior = 1.5f;
   }
-  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices);
+  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices,
+                                              context.energies.get());
 }
 
-PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices)
+PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices,
+                                       EnergyStore* energies)
     : inputs_(std::move(inputs)), layers_(MakeLayers()) {
   if (MayBeAbove0(inputs_.clearcoat)) layers_.AddCoat(inputs_.clearcoat_roughness);
   if (MayBeAbove0(inputs_.sheen)) layers_.AddSheen();
   if (MayBeAbove0(inputs_.transmission)) {
-    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices);
+    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices, std::nullopt, energies);
   }
 }
 
@@ -110,11 +112,12 @@ PhongTerms PrincipledMaterial::Phong(const SurfacePoint& point) const {
   return {ground, ground, specular, ShininessOf(inputs_.roughness.AlphaAt(point))};
 }
 
-Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color,
-                                    float metallic) const {
+Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic,
+                                    bool is_outside) const {
   Lobe lobe{LobeKind::kPrincipled, 1, Spectrum(base_color)};
   PrincipledParams& params = lobe.principled;
   params.layers = &layers_;
+  params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
   params.surface = Brushed(inputs_.roughness.AlphaAt(point), inputs_.anisotropy.At(point));
   params.row = layers_.RowOf(params.surface);
   params.metallic = metallic;
@@ -148,7 +151,9 @@ void PrincipledMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   const float glass = glass_ ? (1 - metallic) * inputs_.transmission.At(point) : 0;
   if (glass < 1) {
     const int first = bsdf->count;
-    bsdf->Add(OpaqueLobe(point, color, std::min(metallic / (1 - glass), 1.0f)));
+    // The frame is mirrored on the inside, and what is turned in it with it.
+    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
+    bsdf->Add(OpaqueLobe(point, color, std::min(metallic / (1 - glass), 1.0f), is_outside));
     if (glass > 0) bsdf->Mix(first, 1 - glass);
   }
   if (glass > 0) {

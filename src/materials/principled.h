@@ -33,7 +33,8 @@ class PrincipledMaterial final : public Material {
   };
 
   /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
-  explicit PrincipledMaterial(Inputs inputs, std::span<const float> indices = {});
+  explicit PrincipledMaterial(Inputs inputs, std::span<const float> indices = {},
+                              EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;
@@ -49,7 +50,7 @@ class PrincipledMaterial final : public Material {
     return input.IsTextured() || input.value() > 0;
   }
   PrincipledLayers MakeLayers() const;
-  Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic) const;
+  Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic, bool is_outside) const;
 
   Inputs inputs_;
   PrincipledLayers layers_;

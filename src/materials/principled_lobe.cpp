@@ -14,12 +14,12 @@ Spectrum White() {
 }
 
 // Into the frame of the brushing, and back.
-Vec3 Turned(const PrincipledLayers& layers, const Vec3& w) {
-  const float c = layers.cos_rotation, s = layers.sin_rotation;
+Vec3 Turned(const PrincipledParams& params, const Vec3& w) {
+  const float c = params.layers->cos_rotation, s = params.sin_rotation;
   return {c * w.x + s * w.y, c * w.y - s * w.x, w.z};
 }
-Vec3 TurnedBack(const PrincipledLayers& layers, const Vec3& w) {
-  const float c = layers.cos_rotation, s = layers.sin_rotation;
+Vec3 TurnedBack(const PrincipledParams& params, const Vec3& w) {
+  const float c = params.layers->cos_rotation, s = params.sin_rotation;
   return {c * w.x - s * w.y, s * w.x + c * w.y, w.z};
 }
 
@@ -176,15 +176,13 @@ float PrincipledPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
 }
 
 LobeValue EvalPrincipledWithPdf(const Lobe& lobe, Vec3 wo, Vec3 wi) {
-  const PrincipledLayers& layers = *lobe.principled.layers;
-  const Vec3 o = Turned(layers, wo);
+  const Vec3 o = Turned(lobe.principled, wo);
   const Shares shares = SharesAt(lobe.principled, o);
-  return ValueAndPdf(lobe, o, shares, ChoicesAt(lobe, shares), Turned(layers, wi));
+  return ValueAndPdf(lobe, o, shares, ChoicesAt(lobe, shares), Turned(lobe.principled, wi));
 }
 
 LobeSample SamplePrincipled(const Lobe& lobe, Vec3 wo, Vec2 u) {
-  const PrincipledLayers& layers = *lobe.principled.layers;
-  const Vec3 o = Turned(layers, wo);
+  const Vec3 o = Turned(lobe.principled, wo);
   const Shares shares = SharesAt(lobe.principled, o);
   const Choices choices = ChoicesAt(lobe, shares);
   const Vec3 i = Draw(lobe, choices, o, u);
@@ -194,7 +192,7 @@ LobeSample SamplePrincipled(const Lobe& lobe, Vec3 wo, Vec2 u) {
   LobeSample sample;
   sample.pdf = drawn.pdf;
   sample.weight = drawn.value * (i.z / drawn.pdf);
-  sample.wi = TurnedBack(layers, i);
+  sample.wi = TurnedBack(lobe.principled, i);
   return sample;
 }
 

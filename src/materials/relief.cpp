@@ -44,21 +44,65 @@ Vec3 ReliefMaterial::NormalOfMap(const SurfacePoint& point) const {
   return frame.x * (2 * c.x - 1) + y * (2 * c.y - 1) + frame.z * std::max(2 * c.z - 1, kFlattest);
 }
 
-// The surface p(u, v) + h(u, v) n has the derivatives dp + dh n, where that of n counts for little.
+namespace {
+
+/// How texture coordinates change along a step in the surface: what solves dpdu du + dpdv dv = step
+/// best. Nothing where they do not say.
+Vec2 UvAlong(const SurfacePoint& point, Vec3 step) {
+  const float uu = LengthSquared(point.dpdu), vv = LengthSquared(point.dpdv);
+  const float uv = Dot(point.dpdu, point.dpdv);
+  const float determinant = uu * vv - uv * uv;
+  if (!(determinant > 1e-12f * uu * vv) || !std::isfinite(determinant)) return {};
+  const float u = Dot(point.dpdu, step), v = Dot(point.dpdv, step);
+  return {(u * vv - v * uv) / determinant, (v * uu - u * uv) / determinant};
+}
+
+/// Half of what the ray stands for, of which a texture gives the mean: as far as it shows details,
+/// however the surface is cut into triangles. Not so short that rounding of the place counts. 0
+/// when the footprint is unknown.
+float HalfStep(const SurfacePoint& point) {
+  const Vec3 far = Abs(point.p);
+  const float shortest = std::max(far.x, std::max(far.y, far.z)) * 0x1p-17f;
+  return point.footprint > 0 ? std::max(point.footprint / 2, shortest) : 0;
+}
+
+}  // namespace
+
+// The surface p + h(p) n has the derivatives dp + dh n, where that of n counts for little.
 Vec3 ReliefMaterial::NormalOfHeights(const SurfacePoint& point) const {
+  const float step = HalfStep(point);
+  if (step == 0) return NormalOfHeightsByUv(point);
+  const auto height = [&](Vec3 along) {
+    SurfacePoint moved = point;
+    moved.uv = point.uv + UvAlong(point, along);
+    moved.p = point.p + along;
+    return HeightAt(moved);
+  };
+  const Frame frame = Frame::FromNormal(point.n_shading);
+  const Vec3 x = frame.x * step, y = frame.y * step;
+  const float along_x = (height(x) - height(-x)) / (2 * step);
+  const float along_y = (height(y) - height(-y)) / (2 * step);
+  return frame.z - frame.x * along_x - frame.y * along_y;
+}
+
+Vec3 ReliefMaterial::NormalOfHeightsByUv(const SurfacePoint& point) const {
   constexpr float kStep = 0x1p-11f;
   const auto height = [&](float du, float dv) {
     SurfacePoint moved = point;
     moved.uv = point.uv + Vec2{du, dv};
     moved.p = point.p + point.dpdu * du + point.dpdv * dv;
-    const Rgb c = texture_->Lookup(moved);
-    return height_ * (c.x + c.y + c.z) / 3;
+    return HeightAt(moved);
   };
   const float along_u = (height(kStep, 0) - height(-kStep, 0)) / (2 * kStep);
   const float along_v = (height(0, kStep) - height(0, -kStep)) / (2 * kStep);
   const Vec3 n = point.n_shading;
   const Vec3 bent = Cross(point.dpdu + n * along_u, point.dpdv + n * along_v);
   return Dot(bent, n) < 0 ? -bent : bent;
+}
+
+float ReliefMaterial::HeightAt(const SurfacePoint& point) const {
+  const Rgb c = texture_->Lookup(point);
+  return height_ * (c.x + c.y + c.z) / 3;
 }
 
 void ReliefMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {

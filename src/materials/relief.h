@@ -41,6 +41,9 @@ class ReliefMaterial final : public Material {
  private:
   Vec3 NormalOfMap(const SurfacePoint& point) const;
   Vec3 NormalOfHeights(const SurfacePoint& point) const;
+  /// The same by steps of texture coordinates, where nothing says how long others should be.
+  Vec3 NormalOfHeightsByUv(const SurfacePoint& point) const;
+  float HeightAt(const SurfacePoint& point) const;
 
   std::unique_ptr<Material> material_;
   std::shared_ptr<const Texture> texture_;

@@ -39,8 +39,8 @@ void RetroreflectiveMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) co
   Lobe lobe{LobeKind::kRetroreflector, back.MaxComponent(), back};
   // Of no index and any extinction above 0: it reflects all light.
   const Rgb none{0, 0, 0}, all{1, 1, 1};
-  lobe.conductor = {none, all, all, {alpha, alpha}, 1, 0, &energy_, roughness_.TableRow(alpha),
-                    false};
+  lobe.conductor = {none,  all, all, {alpha, alpha}, 1, 0, &energy_, roughness_.TableRow(alpha),
+                    false, {}};
   bsdf->Add(lobe);
 }
 

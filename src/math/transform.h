@@ -1,8 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "math/mat4.h"
 #include "math/vec.h"
 
@@ -37,12 +34,6 @@ class Transform {
     if (is_translation_) return n;
     const Vec3 image = Cross(y_, z_) * n.x + Cross(z_, x_) * n.y + Cross(x_, y_) * n.z;
     return Dot(Cross(x_, y_), z_) < 0 ? -image : image;
-  }
-
-  /// How much longer a vector along one of the axes gets at most.
-  float LargestStretch() const {
-    if (is_translation_) return 1;
-    return std::sqrt(std::max(LengthSquared(x_), std::max(LengthSquared(y_), LengthSquared(z_))));
   }
 
  private:

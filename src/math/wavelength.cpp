@@ -25,6 +25,10 @@ constexpr Response kRed{620, 70}, kGreen{540, 70}, kBlue{455, 65};
 
 }  // namespace
 
+Rgb ResponsesAt(float wavelength) {
+  return {kRed.At(wavelength), kGreen.At(wavelength), kBlue.At(wavelength)};
+}
+
 float SampleWavelength(float u) {
   const float third = 3 * u;
   const Response& response = third < 1 ? kBlue : third < 2 ? kGreen : kRed;
@@ -33,7 +37,7 @@ float SampleWavelength(float u) {
 }
 
 Spectrum ColourOf(float wavelength) {
-  const Rgb responses{kRed.At(wavelength), kGreen.At(wavelength), kBlue.At(wavelength)};
+  const Rgb responses = ResponsesAt(wavelength);
   const float mean = (responses.x + responses.y + responses.z) / 3;
   return mean > 0 ? Spectrum(responses / mean) : Spectrum();
 }

@@ -7,7 +7,11 @@ namespace candela {
 /// The ends of what `SampleWavelength` draws, in nanometres.
 inline constexpr float kShortestWavelength = 390, kLongestWavelength = 690;
 
-/// A wavelength in nanometres from a number in [0, 1): the mean of the responses of `ColourOf` is
+/// How red, green and blue respond to light of a wavelength: each is a density per nanometre, so
+/// its integral is 1.
+Rgb ResponsesAt(float wavelength);
+
+/// A wavelength in nanometres from a number in [0, 1): the mean of the responses is
 /// its density.
 float SampleWavelength(float u);
 

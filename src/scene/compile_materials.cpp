@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "base/text.h"
+#include "materials/energy_store.h"
 #include "materials/registry.h"
 #include "scene/resolved_params.h"
 #include "textures/registry.h"
@@ -31,7 +33,8 @@ MaterialCompiler::MaterialCompiler(const SceneSpec& spec, std::vector<float> ind
                [this](std::string_view name, const SourceLocation& where) {
                  return PartNamed(name, where);
                },
-               std::move(indices)} {
+               std::move(indices),
+               std::make_shared<EnergyStore>()} {
   CompileTextures();
   CompileMaterials();
 }

@@ -2,17 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
+
+#include "math/frame.h"
 
 namespace candela {
 namespace {
 
 constexpr std::string_view kSpaces[] = {"object", "world", "uv"};
 
-/// Texture coordinates for each unit of length, in the direction in which they grow faster.
-float UvPerLength(const SurfacePoint& point) {
-  const float u = Length(point.dpdu), v = Length(point.dpdv);
-  return std::max(u > 0 ? 1 / u : 0, v > 0 ? 1 / v : 0);
+/// The length at most of what unit vectors become, in the plane of two of them that become `a` and
+/// `b`: the larger singular value.
+float LargestStretch(Vec3 a, Vec3 b) {
+  const float a2 = LengthSquared(a), b2 = LengthSquared(b), across = Dot(a, b);
+  const float difference = (a2 - b2) / 2;
+  const float square = (a2 + b2) / 2 + std::sqrt(difference * difference + across * across);
+  return std::isfinite(square) ? std::sqrt(square) : std::numeric_limits<float>::max();
+}
+
+/// A unit vector along the derivative of `p`, as texture coordinates; 0 where they say nothing.
+float PerLength(Vec3 derivative) {
+  const float length = Length(derivative);
+  return length > 0 ? 1 / length : 0;
 }
 
 }  // namespace
@@ -48,16 +60,25 @@ std::optional<Transform> SolidPlace::IntoObject(const SurfacePoint& point) const
 SolidPlace::Place SolidPlace::At(const SurfacePoint& point) const {
   constexpr float kFarthest = 0x1p22f;
   Place place;
-  place.size = place_from_space_.LargestStretch();
+  // Two unit vectors in the surface: what happens to lengths across it does not count.
+  Vec3 along_x, along_y;
   if (space_ == Space::kUv) {
     place.p = place_from_space_.Point({point.uv.x, point.uv.y, 0});
-    place.size *= UvPerLength(point);
-  } else if (const auto into_object = IntoObject(point)) {
-    place.p = place_from_space_.Point(into_object->Point(point.p));
-    place.size *= into_object->LargestStretch();
+    along_x = {PerLength(point.dpdu), 0, 0};
+    along_y = {0, PerLength(point.dpdv), 0};
   } else {
-    place.p = place_from_space_.Point(point.p);
+    const Frame frame = Frame::FromNormal(point.n_geometric);
+    along_x = frame.x;
+    along_y = frame.y;
+    place.p = point.p;
+    if (const auto into_object = IntoObject(point)) {
+      place.p = into_object->Point(place.p);
+      along_x = into_object->Vector(along_x);
+      along_y = into_object->Vector(along_y);
+    }
+    place.p = place_from_space_.Point(place.p);
   }
+  place.size = LargestStretch(place_from_space_.Vector(along_x), place_from_space_.Vector(along_y));
   const Vec3 far = Abs(place.p);
   // Written so that NaN is far away.
   if (!(far.x < kFarthest && far.y < kFarthest && far.z < kFarthest)) place.p = {};

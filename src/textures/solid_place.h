@@ -17,7 +17,7 @@ class SolidPlace {
  public:
   struct Place {
     Vec3 p;      ///< Each component below 2^22; beyond, where floats know no places in between, 0.
-    float size;  ///< How much longer things are here than in the world, at most.
+    float size;  ///< How much longer what lies in the surface is here than in the world, at most.
   };
 
   SolidPlace() = default;

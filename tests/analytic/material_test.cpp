@@ -79,6 +79,28 @@ TEST(WhiteBall, OfARoughMaterialIsInvisibleInTheFurnace) {
                   5e-3);
 }
 
+// P4: one number of a pixel's colour is looked at; over a bubble of equal thickness all of them
+// vary.
+TEST(WhiteBall, UnderAThinFilmIsInvisibleInTheFurnace) {
+  ExpectInvisible("Material { name ball type dielectric ior 1 film_thickness 400 }", 2e-3);
+  ExpectInvisible("Material { name ball type dielectric film_thickness 250 film_ior 2.2 }", 2e-3);
+  ExpectInvisible(
+      "Material { name ball type dielectric film_thickness 250 film_ior 2.2 roughness 0.5 }", 5e-3,
+      256);
+  ExpectInvisible(
+      "Material { name ball type dielectric film_ior 1.8 film_thickness texture half "
+      "film_thickness_range 0 500 }",
+      2e-3);
+  ExpectInvisible("Material { name ball type dielectric film_ior 2.2 film_thickness 250 abbe 20 }",
+                  5e-3, 256);
+  ExpectInvisible("Material { name ball type conductor eta 0 0 0 k 3 3 3 film_thickness 250 }",
+                  2e-3);
+  ExpectInvisible(
+      "Material { name ball type conductor eta 0 0 0 k 3 3 3 roughness texture half "
+      "film_thickness texture half }",
+      5e-3);
+}
+
 // P4
 TEST(WhiteBall, OfAMixtureOrAVeilIsInvisibleInTheFurnace) {
   const std::string parts =

@@ -50,6 +50,11 @@ std::vector<Family> WhiteFamilies() {
          return std::make_unique<ConductorMaterial>(Rgb{0, 0, 0}, Rgb{3, 3, 3},
                                                     Ggx{r * r, 0.3f * r * r + 0.1f}, 25.0f);
        }},
+      {"WhiteConductorWithFilm",
+       [](float r) {
+         return std::make_unique<ConductorMaterial>(
+             Rgb{0, 0, 0}, Rgb{3, 3, 3}, Roughness::OfAlpha(r * r), FilmInput(1.8f, 300));
+       }},
       {"WhitePlastic",
        [=](float r) {
          return std::make_unique<PlasticMaterial>(white, 1.5f, Roughness::OfAlpha(r * r));

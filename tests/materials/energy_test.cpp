@@ -95,6 +95,18 @@ TEST(WhiteFurnace, GroundGlassLosesNothingFromEitherSide) {
   ExpectWhite(Glass(2.417f, 0.3f), 3e-3, false);
 }
 
+// P4: a film that absorbs nothing sends back or lets through what the base does not.
+TEST(WhiteFurnace, ThinFilmsLoseNothing) {
+  const FilmInput film(2.2f, 150);
+  for (const float alpha : {0.0f, 0.1f, 0.5f, 1.0f}) {
+    ExpectWhite(ConductorMaterial({0, 0, 0}, {3, 3, 3}, Roughness::OfAlpha(alpha), film), 2e-3);
+    const DielectricMaterial glass({1.5f, {}}, Roughness::OfAlpha(alpha), {}, film);
+    ExpectWhite(glass, 3e-3, true);
+    ExpectWhite(glass, 3e-3, false);
+  }
+  ExpectWhite(ConductorMaterial({0, 0, 0}, {3, 3, 3}, {0.5f, 0.1f}, 30, film), 2e-3);
+}
+
 // P4
 TEST(WhiteFurnace, WhitePlasticLosesNothing) {
   for (const float alpha : {0.0f, 0.01f, 0.1f, 0.25f, 0.5f, 1.0f}) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <ostream>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,10 @@ inline std::vector<Family> Families() {
   const auto glass = [](float r) {
     return std::make_unique<DielectricMaterial>(Medium{1.5f, {}}, Roughness::OfAlpha(r * r));
   };
+  const auto filmed_glass = [](float r) {
+    return std::make_unique<DielectricMaterial>(Medium{1.5f, {}}, Roughness::OfAlpha(r * r),
+                                                std::span<const float>(), FilmInput(1.7f, 200));
+  };
   return {
       {"Diffuse",
        [](float r) {
@@ -59,12 +64,19 @@ inline std::vector<Family> Families() {
        [=](float r) {
          return std::make_unique<ConductorMaterial>(eta, k, Roughness::OfAlpha(r * r));
        }},
+      {"FilmOnConductor",
+       [=](float r) {
+         return std::make_unique<ConductorMaterial>(eta, k, Roughness::OfAlpha(r * r),
+                                                    FilmInput(1.8f, 300));
+       }},
       {"BrushedConductor",
        [=](float r) {
          return std::make_unique<ConductorMaterial>(eta, k, Ggx{r * r, 0.3f * r * r + 0.1f}, 25.0f);
        }},
       {"GlassFromOutside", glass},
       {"GlassFromInside", glass, false},
+      {"GlassWithFilmFromOutside", filmed_glass},
+      {"GlassWithFilmFromInside", filmed_glass, false},
       {"Plastic",
        [](float r) {
          return std::make_unique<PlasticMaterial>(Rgb{0.7f, 0.4f, 0.1f}, 1.5f,

@@ -11,6 +11,8 @@
 #include "materials/phong.h"
 #include "materials/registry.h"
 #include "math/elementary.h"
+#include "tests/materials/scatter.h"
+#include "tests/support/compile_text.h"
 
 namespace candela {
 namespace {
@@ -253,6 +255,31 @@ TEST(Bsdf, LambertIsTheAlbedoOverPi) {
   EXPECT_FLOAT_EQ(value.z, static_cast<float>(1 / kPi));
   EXPECT_TRUE(Eval(bsdf, {0, 0, 1}, {0.6f, 0, -0.8f}).IsBlack());
   EXPECT_TRUE(Eval(bsdf, {0, 0, -1}, {0.6f, 0, 0.8f}).IsBlack());
+}
+
+// Tables for all roughnesses take their time: glass of one index has the same, whatever texture
+// says how rough it is, and glass of another index has its own.
+TEST(RoughGlass, OfOneIndexSharesItsTables) {
+  const auto scene = testing_support::CompileText(
+      "Camera { center 0 0 5 direction 0 0 -1 up 0 1 0 fov 30 }\n"
+      "Textures { Texture { name a type noise } Texture { name b type marble } }\n"
+      "Materials { Material { type dielectric roughness texture a }\n"
+      "  Material { type dielectric roughness texture b absorption 1 2 3 }\n"
+      "  Material { type principled transmission 1 roughness texture b }\n"
+      "  Material { type dielectric roughness texture a ior 1.6 } }\n"
+      "Scene { Component<Object> { type sphere radius 1 } Component<Material> { index 0 } }");
+  const EnergyTable *here[4], *beyond[4];
+  for (size_t i = 0; i < 4; ++i) {
+    const Bsdf bsdf = test::BsdfOf(*scene->materials()[i], {0, 0, 1});
+    ASSERT_EQ(bsdf.lobes[0].kind, LobeKind::kDielectric);
+    here[i] = bsdf.lobes[0].dielectric.energy_here;
+    beyond[i] = bsdf.lobes[0].dielectric.energy_beyond;
+  }
+  EXPECT_EQ(here[0], here[1]);
+  EXPECT_EQ(here[0], here[2]);
+  EXPECT_EQ(beyond[0], beyond[1]);
+  EXPECT_NE(here[0], beyond[0]);
+  EXPECT_NE(here[0], here[3]);
 }
 
 }  // namespace

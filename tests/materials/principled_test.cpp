@@ -212,5 +212,38 @@ TEST(Retroreflective, SendsLightBackToWhereItCameFrom) {
   }
 }
 
+/// The value for two directions that the surface z = 0 sees, or for those mirrored in it.
+Spectrum ValueOn(const Material& material, Vec3 wo, Vec3 wi, bool is_outside) {
+  SurfacePoint point;
+  point.n_geometric = point.n_shading = {0, 0, 1};
+  point.dpdu = {1, 0, 0};
+  point.dpdv = {0, 1, 0};
+  const float side = is_outside ? 1 : -1;
+  Bsdf bsdf;
+  bsdf.frame = Frame::FromNormal({0, 0, side});
+  material.Evaluate(point, &bsdf);
+  return Eval(bsdf, {wo.x, wo.y, wo.z * side}, {wi.x, wi.y, wi.z * side});
+}
+
+// A thin sheet is brushed in the same direction on both of its sides.
+TEST(BrushedSurface, IsTurnedTheSameWayOnBothSides) {
+  PrincipledMaterial::Inputs inputs;
+  inputs.metallic = 1;
+  inputs.anisotropy = 0.9f;
+  inputs.rotation_degrees = 30;
+  const PrincipledMaterial principled(inputs);
+  const ConductorMaterial conductor({1, 1, 1}, {3, 3, 3}, {0.5f, 0.1f}, 30);
+  const Vec3 wo = Normalize(Vec3{0.1f, 0.2f, 1}), wi = Normalize(Vec3{0.5f, 0.1f, 1});
+  for (const Material* material :
+       {static_cast<const Material*>(&principled), static_cast<const Material*>(&conductor)}) {
+    const float outside = ValueOn(*material, wo, wi, true)[0];
+    EXPECT_GT(
+        std::abs(outside - ValueOn(*material, {wo.x, -wo.y, wo.z}, {wi.x, -wi.y, wi.z}, true)[0]),
+        0.1f * outside)
+        << "the direction of the brushing does not show";
+    EXPECT_NEAR(ValueOn(*material, wo, wi, false)[0], outside, 1e-4f * outside);
+  }
+}
+
 }  // namespace
 }  // namespace candela

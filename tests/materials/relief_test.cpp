@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "materials/diffuse.h"
+#include "math/elementary.h"
 #include "textures/constant_texture.h"
 
 namespace candela {
@@ -81,6 +82,40 @@ TEST(BumpMap, TiltsTheNormalAgainstTheSlope) {
   ExpectNear(bent(1, 0, 3), Normalize(Vec3{-1.5f, 1, 0}));
   ExpectNear(bent(0, 1, 1), Normalize(Vec3{0, 1, 1}));
   ExpectNear(bent(1, 0, 1, -1), Normalize(Vec3{0.5f, -1, 0}));
+}
+
+/// Heights that go up and down in space, over lengths of about 1.
+class Waves final : public Texture {
+ public:
+  Rgb Lookup(const SurfacePoint& point) const override {
+    const float height = Sin(3 * point.p.x) + Sin(2 * point.p.z);
+    return {height, height, height};
+  }
+};
+
+// What fills space has its slopes, however large the triangle is that the coordinates come from,
+// and where there are no coordinates.
+TEST(BumpMap, OfASolidTextureDoesNotAskHowTheSurfaceIsCut) {
+  SurfacePoint point = OnFloor();
+  point.p = {0.2f, 0, 0.1f};
+  point.footprint = 0.01f;
+  const Vec3 expected = Normalize(Vec3{-3 * Cos(0.6f), 1, -2 * Cos(0.2f)});
+  for (const float size : {0.0f, 1e-4f, 1.0f, 1e4f}) {
+    point.dpdu = {size, 0, size};
+    point.dpdv = {0, 0, -size};
+    ExpectNear(Bent(std::make_shared<Waves>(), ReliefMaterial::Map::kHeights, 1, 1, point),
+               expected);
+  }
+}
+
+// Coordinates that are no right angle to each other, and of unequal length.
+TEST(BumpMap, FollowsSlantedCoordinates) {
+  SurfacePoint point = OnFloor();
+  point.dpdv = {1, 0, -1};
+  const auto slope = std::make_shared<Slope>(0.5f, 0.7f);
+  const Vec3 by_uv = Bent(slope, ReliefMaterial::Map::kHeights, 1, 1, point);
+  point.footprint = 0.01f;
+  ExpectNear(Bent(slope, ReliefMaterial::Map::kHeights, 1, 1, point), by_uv);
 }
 
 TEST(BumpMap, BendsNothingWhereCoordinatesSayNothing) {

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "math/elementary.h"
+#include "math/mat4.h"
+#include "math/transform.h"
 #include "tests/textures/make_texture.h"
 #include "textures/cell_noise.h"
 #include "textures/fractal_noise.h"
@@ -260,6 +262,32 @@ TEST(MixTexture, IsTheMeanByItsAmount) {
   const auto texture = Make("mix", "first 1 0 0 second 0 0 2 amount 0.25");
   EXPECT_EQ(texture->Lookup(test::At(0, 0)), (Rgb{0.75f, 0, 0.5f}));
   EXPECT_FALSE(texture->NeedsTextureCoordinates());
+}
+
+/// What a pattern that is seen from afar, over a width of `footprint`, shows on a floor whose
+/// object is stretched along its axes.
+float SeenOnFloor(const std::string& text, Vec3d stretch, float footprint) {
+  const auto texture = Make("noise", text);
+  const Transform object_from_world(Mat4::Scale({1 / stretch.x, 1 / stretch.y, 1 / stretch.z}));
+  SurfacePoint point = Place({0.3f, 0.6f, 0});
+  point.object_from_world = &object_from_world;
+  point.footprint = footprint;
+  return texture->Lookup(point).x;
+}
+
+// The thickness of what lies flat on a surface says nothing of how wide its pattern is there, nor
+// does the depth to which the pattern is stretched.
+TEST(SolidTexture, ShowsAsMuchOnThinThings) {
+  const float seen = SeenOnFloor("", {1, 1, 1}, 0.05f);
+  EXPECT_GT(std::abs(seen - 0.5f), 0.02f) << "the pattern has no contrast to lose";
+  EXPECT_NEAR(SeenOnFloor("", {1, 1, 1e-3}, 0.05f), seen, 1e-5f);
+  EXPECT_NEAR(SeenOnFloor("scale 1 1 1000", {1, 1, 1}, 0.05f), seen, 1e-5f);
+}
+
+// Along the surface it does: the direction counts in which the pattern is finest.
+TEST(SolidTexture, FadesWhereItIsFineAlongTheSurface) {
+  EXPECT_NEAR(SeenOnFloor("", {1, 1e-3, 1}, 0.05f), 0.5f, 1e-5f);
+  EXPECT_NEAR(SeenOnFloor("scale 1000 1000 1 rotation 0 0 45", {1, 1, 1}, 0.05f), 0.5f, 1e-5f);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -114,6 +115,24 @@ TEST(LightPicker, HasNothingToChooseFromInTheDark) {
   EXPECT_FALSE(LightPicker({}, 1, LightChoice::kByEffect).HasLights());
   const std::vector<const Light*> lights = {&dark};
   EXPECT_FALSE(LightPicker(lights, 1, LightChoice::kByEffect).HasLights());
+}
+
+// Among many lamps the choice goes by power alone. What is bright at hand is as bright as the lamp of
+// an attenuation, however little of its falloff is quadratic: shares do not go by that part.
+TEST(LightPicker, SmallQuadraticPartsOfAFalloffDoNotStarveOthers) {
+  for (const Falloff falloff : {Falloff(1, 0.1f, 0.001f), Falloff(1, 0, 1e-5f)}) {
+    std::vector<PointLight> lamps(40, PointLight({0, 1, 0}, {1, 1, 1}, falloff));
+    lamps.emplace_back(Vec3{1, 1, 0}, Rgb{1, 1, 1}, 1.0f);
+    std::vector<const Light*> lights;
+    for (const PointLight& lamp : lamps) lights.push_back(&lamp);
+    const LightPicker picker(lights, 10, LightChoice::kByEffect);
+    EXPECT_NEAR(picker.Probability({0, 0, 0}, 40), 1 / 41.0f, 0.1f / 41);
+  }
+}
+
+TEST(LightPicker, LampsOfAnyFalloffMayBeChosen) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  EXPECT_GT(PointLight({}, {1, 1, 1}, {kMost, kMost, 1}).Reach().power, 0);
 }
 
 }  // namespace

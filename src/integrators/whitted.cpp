@@ -74,8 +74,10 @@ struct WhittedIntegrator::Batch final : Workspace {
   PathQueue<Path> paths;
   std::vector<Vec2> image_points;
   std::vector<Shading> shadings;
-  std::vector<Ray> shadow_rays;      ///< Towards the light in work,
-  std::vector<uint8_t> is_shadowed;  ///< and whether something is in the way.
+  // With shadows, of the light in work:
+  std::vector<LightSample> light_samples;  ///< what comes from it if nothing is in the way,
+  std::vector<Ray> shadow_rays;            ///< the rays towards it,
+  std::vector<uint8_t> is_shadowed;        ///< and whether something is in their way.
 };
 
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, uint32_t bounces, bool shadows)
@@ -208,9 +210,10 @@ void WhittedIntegrator::FindSurfaces(Batch* batch, Observer* observer) const {
 void WhittedIntegrator::FindShadows(const Light& light, RayOrder order, Batch* batch) const {
   const size_t count = batch->paths.size();
   const auto rays = FirstOf(&batch->shadow_rays, count);
+  const auto samples = FirstOf(&batch->light_samples, count);
   for (size_t i = 0; i < count; ++i) {
     const Vec3 p = batch->shadings[i].p;
-    const LightSample sample = light.SampleIncident(p);
+    const LightSample& sample = samples[i] = light.SampleIncident(p);
     StartRay(p, sample.direction, kWholeShadowRay, ShadowLimit(sample.distance), &rays[i]);
   }
   batch->rays.shadow += count;
@@ -221,7 +224,7 @@ template <class Observer>
 void WhittedIntegrator::AddLight(const Light& light, Batch* batch, Observer* observer) const {
   for (size_t i = 0; i < batch->paths.size(); ++i) {
     Shading& shading = batch->shadings[i];
-    const LightSample sample = light.SampleIncident(shading.p);
+    const LightSample sample = shadows_ ? batch->light_samples[i] : light.SampleIncident(shading.p);
     const bool is_shadowed = shadows_ && batch->is_shadowed[i] != 0;
     Rgb diffuse, specular;
     if (!is_shadowed) {

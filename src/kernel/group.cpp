@@ -40,7 +40,6 @@ Error NoMemory() {
 }  // namespace
 
 Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions& options) {
-  const kernel::TraceFunctions& functions = FunctionsOf(options.isa, options.width);
   try {
     const bool has_tree = options.accelerator == AcceleratorKind::kBvh;
     auto data = has_tree ? kernel::BuildGroup(input, options.quality, options.width, options.cancel)
@@ -48,7 +47,7 @@ Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions
     if (!data) return data.error();
     if (has_tree) {
       data->isa = options.isa;
-      data->trace = &functions;
+      data->trace = &FunctionsOf(options.isa, options.width);
     }
     data->largest_coordinate = LargestCoordinate(data->bounds);
     return std::unique_ptr<Group>(new Group(std::move(*data)));

@@ -24,7 +24,7 @@ struct Falloff {
 
   float constant = 0, linear = 0, quadratic;  ///< Not negative, and one of them above 0.
 
-  bool IsOfLight() const { return constant == 0 && linear == 0; }
+  bool IsOfLight() const { return constant + linear == 0; }
 
   /// What the colour is divided by.
   float At(float distance, float squared_distance) const {

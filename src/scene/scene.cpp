@@ -7,15 +7,15 @@ namespace candela {
 
 SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
-  SurfacePoint point;
-  point.p = ray.At(hit.t);
-  SurfacePoint local = object.shape->SurfaceAt(object.ToObject(ray), hit);
-  point.n_shading = object.NormalToWorld(local.n_shading);
+  SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
   if (object.is_textured) {
-    object.shape->AddTextureCoordinates(hit, &local);
-    point.uv = local.uv;
+    object.shape->AddTextureCoordinates(hit, &point);
+    point.dpdu = point.dpdv = Vec3();
+    point.n_geometric = object.NormalToWorld(point.n_geometric);
     point.object_from_world = &object.node_from_world;
   }
+  point.p = ray.At(hit.t);
+  point.n_shading = object.NormalToWorld(point.n_shading);
   return point;
 }
 

@@ -62,8 +62,8 @@ class Scene {
   Vec3 LiftOf(const HitRecord& hit, const SurfacePoint& point, bool is_inside) const;
 
   /// The hit as the course sees it, at a third of the cost: the point o + t d, the shading normal,
-  /// and texture coordinates for materials that ask for them. The geometric normal and the error
-  /// bound stay 0, so no ray can be spawned from it.
+  /// and, for materials that ask for texture coordinates, those and the geometric normal. The rest
+  /// means nothing, so no ray can be spawned from it.
   SurfacePoint ShadingAt(const Ray& ray, const HitRecord& hit) const;
 
   /// The texture coordinates of a hit, whether or not the material asks for them.

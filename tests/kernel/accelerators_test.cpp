@@ -58,6 +58,42 @@ TEST(Octree, GoesDeeperWhereMuchIs) {
   EXPECT_LE(OctreeOf(*uneven).Depth(), kernel::Octree::kMostDepth);
 }
 
+/// Squares across z around the axis, in boxes without thickness.
+class FlatSquares final : public PrimitiveSet {
+ public:
+  explicit FlatSquares(std::vector<float> heights) : heights_(std::move(heights)) {}
+
+  uint32_t PrimitiveCount() const override { return static_cast<uint32_t>(heights_.size()); }
+  Bounds3 PrimitiveBounds(uint32_t primitive, uint32_t) const override {
+    return {{-1, -1, heights_[primitive]}, {1, 1, heights_[primitive]}};
+  }
+  bool IntersectPrimitive(const Ray& ray, uint32_t primitive, HitRecord* hit) const override {
+    const float t = (heights_[primitive] - ray.origin.z) / ray.direction.z;
+    if (!(t >= ray.t_min && t < hit->t)) return false;
+    hit->t = t;
+    return true;
+  }
+
+ private:
+  const std::vector<float> heights_;
+};
+
+// Where rounding could leave a gap: at the outer side of the cube, and between two cells.
+TEST(Octree, LosesNothingFlatBetweenItsCells) {
+  for (const float nearest : {1e-20f, 6.123e-17f}) {
+    std::vector<float> heights = {nearest};
+    for (int i = 1; i <= 12; ++i) heights.push_back(static_cast<float>(-i));
+    const FlatSquares squares(heights);
+    GroupInput input(1);
+    input[0].content = PrimitiveInput{&squares};
+    const auto group = Group::Build(std::move(input), With(AcceleratorKind::kOctree));
+    ASSERT_TRUE(group);
+    HitRecord hit;
+    ASSERT_TRUE((*group)->Intersect(Ray({0.25f, 0.25f, 5}, {0, 0, -1}), &hit));
+    EXPECT_EQ(hit.primitive, 0u) << nearest;
+  }
+}
+
 /// So many times the same triangle, moved by `step` each time.
 TestMesh Repeated(uint32_t count, float size, Vec3 step) {
   TestMesh mesh;

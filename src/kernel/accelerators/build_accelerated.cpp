@@ -56,7 +56,6 @@ std::shared_ptr<const Accelerator> MakeAccelerator(AcceleratorKind kind, EntryTa
 Result<GroupData> BuildAccelerated(const GroupInput& input, const BuildOptions& options) {
   GroupData group;
   group.accelerator = options.accelerator;
-  group.width = options.width;
   group.trace = &kFunctions;
   const std::vector<BuildItem> items = MakeBuildItems(input);
   if (const auto facts = CopyFacts(input, items, &group); !facts) return facts.error();

@@ -44,9 +44,9 @@ class EntrySearch {
   const bool any_;
 };
 
-/// Remembers entries that a ray has just been tested with, so that one in many cells is tested once
-/// or twice: a small form of the mailboxes of Amanatides and Woo, 1987, that needs no memory of its
-/// own for each entry and thread.
+/// Remembers entries that a ray has just been tested with, so that one in many cells is mostly not
+/// tested again: a small form of the mailboxes of Amanatides and Woo, 1987, that needs no memory of
+/// its own for each entry and thread.
 class Mailbox {
  public:
   bool IsNew(uint32_t entry) {

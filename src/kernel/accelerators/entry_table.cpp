@@ -25,7 +25,8 @@ BoxState BoxAtAllTimes(const BuildItem& item, uint32_t primitive, Bounds3* bound
 
 uint64_t EntryTable::MemoryBytes() const {
   uint64_t bytes = (entries.capacity() + unbounded.capacity()) * sizeof(Entry) +
-                   group_from_world.capacity() * sizeof(Transform);
+                   group_from_world.capacity() * sizeof(Transform) +
+                   meshes.capacity() * sizeof(Mesh);
   for (const Mesh& mesh : meshes) {
     bytes += mesh.positions.capacity() * sizeof(Vec3) +
              mesh.triangles.capacity() * sizeof(mesh.triangles[0]);

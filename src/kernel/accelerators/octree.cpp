@@ -13,36 +13,43 @@ namespace {
 constexpr size_t kFewEntries = 8;
 /// A cell is not cut when its parts together would list more than this many times what it does.
 constexpr size_t kMostGrowth = 3;
-/// Nor when all lists together would be more than this many times as long as there are entries.
+/// Nor when all lists together would be more than this many times as long as there are entries, or
+/// longer than their places can be counted.
 constexpr uint64_t kMostListed = 16;
+constexpr uint64_t kMostPlaces = 0xFFFFFFFF;
 
-/// One of the eight parts of a cell: bit k of its number says on which side of axis k it lies.
-Vec3d PartOf(Vec3d low, double half, uint32_t part) {
+bool Reaches(const Bounds3& box, const Octree::Cube& cube) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (part >> axis & 1) low[axis] += half;
-  }
-  return low;
-}
-
-bool Reaches(const Bounds3& box, Vec3d low, double side) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (static_cast<double>(box.max[axis]) < low[axis]) return false;
-    if (static_cast<double>(box.min[axis]) > low[axis] + side) return false;
+    if (static_cast<double>(box.max[axis]) < cube.low[axis]) return false;
+    if (static_cast<double>(box.min[axis]) > cube.high[axis]) return false;
   }
   return true;
 }
 
 }  // namespace
 
+// Neighbours share the plane between them to the bit, so nothing can lie in between.
+Octree::Cube Octree::Cube::Part(uint32_t part) const {
+  Cube cube = *this;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double middle = low[axis] + (high[axis] - low[axis]) / 2;
+    (part >> axis & 1 ? cube.low : cube.high)[axis] = middle;
+  }
+  return cube;
+}
+
 /// Cuts cells in the order in which they come up, level by level, so that where memory ends the
 /// cuts it ends them at about the same size everywhere.
 class Octree::Builder {
  public:
   Builder(std::span<const Bounds3> boxes, const CancelToken* cancel, Octree* tree)
-      : boxes_(boxes), cancel_(cancel), tree_(*tree) {}
+      : boxes_(boxes),
+        cancel_(cancel),
+        most_listed_(std::min(kMostListed * boxes.size(), kMostPlaces)),
+        tree_(*tree) {}
 
   void Build() {
-    Cell root{tree_.low_, tree_.side_, 0, {}};
+    Cell root{tree_.cube_, 0, {}};
     for (uint32_t i = 0; i < boxes_.size(); ++i) root.listed.push_back(i);
     listed_ = root.listed.size();
     cells_.push_back(std::move(root));
@@ -54,8 +61,7 @@ class Octree::Builder {
 
  private:
   struct Cell {
-    Vec3d low;
-    double side;
+    Cube cube;
     int depth;
     std::vector<uint32_t> listed;
   };
@@ -65,18 +71,17 @@ class Octree::Builder {
     Cell& cell = cells_[index];
     const size_t before = cell.listed.size();
     if (before <= kFewEntries || cell.depth == kMostDepth) return false;
-    const double half = cell.side / 2;
     std::vector<Cell> parts(8);
     size_t after = 0;
     for (uint32_t part = 0; part < 8; ++part) {
-      parts[part] = {PartOf(cell.low, half, part), half, cell.depth + 1, {}};
+      parts[part] = {cell.cube.Part(part), cell.depth + 1, {}};
       for (const uint32_t entry : cell.listed) {
-        if (!Reaches(boxes_[entry], parts[part].low, half)) continue;
+        if (!Reaches(boxes_[entry], parts[part].cube)) continue;
         parts[part].listed.push_back(entry);
         if (++after > kMostGrowth * before) return false;
       }
     }
-    if (listed_ + after - before > kMostListed * boxes_.size()) return false;
+    if (listed_ + after - before > most_listed_) return false;
     listed_ += after - before;
     tree_.depth_ = std::max(tree_.depth_, cell.depth + 1);
     cell.listed = {};
@@ -97,6 +102,7 @@ class Octree::Builder {
 
   const std::span<const Bounds3> boxes_;
   const CancelToken* const cancel_;
+  const uint64_t most_listed_;
   Octree& tree_;
   std::vector<Cell> cells_;
   uint64_t listed_ = 0;  ///< By all cells that are not cut.
@@ -107,9 +113,10 @@ Octree::Octree(EntryTable table, std::span<const Bounds3> boxes, const CancelTok
   if (boxes.empty()) return;
   Bounds3 bounds;
   for (const Bounds3& box : boxes) bounds.Extend(box);
-  low_ = ToDouble(bounds.min);
-  const Vec3d extent = ToDouble(bounds.max) - low_;
-  side_ = std::max({extent.x, extent.y, extent.z});
+  cube_.low = ToDouble(bounds.min);
+  const Vec3d high = ToDouble(bounds.max), extent = high - cube_.low;
+  const double side = std::max({extent.x, extent.y, extent.z});
+  cube_.high = Max(cube_.low + Vec3d{side, side, side}, high);  // The sum is rounded.
   Builder(boxes, cancel, this).Build();
 }
 
@@ -124,17 +131,16 @@ class Octree::Walker {
   }
 
   /// True when the search is over.
-  bool Visit(const Node& node, Vec3d low, double side) {
+  bool Visit(const Node& node, const Cube& cube) {
     // The ray is as thick as its rounding.
     const Vec3d around = Vec3d{1, 1, 1} * ray_.rounding;
-    const double enter = ray_.Enter(low - around, low + Vec3d{1, 1, 1} * side + around);
+    const double enter = ray_.Enter(cube.low - around, cube.high + around);
     if (enter > search_.NearestT()) return false;
     if (node.count != kInner) return TestLeaf(node);
     // Counting up, each part comes after all those that the ray can have met before it.
     for (uint32_t i = 0; i < 8; ++i) {
       const uint32_t part = i ^ nearest_part_;
-      const Vec3d part_low = PartOf(low, side / 2, part);
-      if (Visit(tree_.nodes_[node.first + part], part_low, side / 2)) return true;
+      if (Visit(tree_.nodes_[node.first + part], cube.Part(part))) return true;
     }
     return false;
   }
@@ -157,7 +163,7 @@ class Octree::Walker {
 
 bool Octree::Walk(EntrySearch* search) const {
   if (nodes_.empty()) return false;
-  return Walker(*this, search).Visit(nodes_[0], low_, side_);
+  return Walker(*this, search).Visit(nodes_[0], cube_);
 }
 
 uint64_t Octree::MemoryBytes() const {

@@ -23,6 +23,14 @@ class Octree final : public Accelerator {
   int Depth() const { return depth_; }
   static constexpr int kMostDepth = 16;
 
+  /// A cell: with the edges of a cube, but for rounding.
+  struct Cube {
+    Vec3d low, high;
+
+    /// One of its eight parts: bit k of the number says on which side of axis k it lies.
+    Cube Part(uint32_t part) const;
+  };
+
  private:
   struct Node {
     uint32_t first;  ///< Of a leaf, where its list begins; else the first of eight children.
@@ -35,8 +43,7 @@ class Octree final : public Accelerator {
 
   std::vector<Node> nodes_;       ///< The root first.
   std::vector<uint32_t> listed_;  ///< Indices of entries, leaf after leaf.
-  Vec3d low_;                     ///< Of the cube,
-  double side_ = 0;               ///< and the length of its edges.
+  Cube cube_;
   int depth_ = 0;
 };
 

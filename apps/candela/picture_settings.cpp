@@ -57,6 +57,8 @@ void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
                  kInRender);
   parser->Option("view", {Choice("NAME", &view_, DebugViewNames())}, DebugViewSummaries(),
                  kInRender);
+  parser->Option("light-choice", {Choice("NAME", &light_choice_, LightChoiceNames())},
+                 LightChoiceSummaries(), kInRender);
 }
 
 void PictureSettings::AddSamples(ArgParser* parser) {
@@ -151,6 +153,7 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
        &light.transmission_bounces);
   drop(kUsesAoDistance, "ao-distance", "ao_distance", &light.ao_distance);
   drop(kUsesView, "view", "view", &view_);
+  drop(kUsesLightChoice, "light-choice", "light_choice", &light_choice_);
 }
 
 void PictureSettings::CheckClamp(const ArgParser& parser, const ParamSet& settings,
@@ -177,6 +180,9 @@ void PictureSettings::Finish() {
   if (request_.integrator == "whitted" && !bounces) bounces = WhittedIntegrator::kUsualBounces;
   FinishSampler();
   FinishView();
+  if (light_choice_) {
+    request_.integrator_options.light_choice = FindLightChoice(*light_choice_)->choice;
+  }
 }
 
 void PictureSettings::FinishSamples() {

@@ -64,7 +64,7 @@ class PictureSettings {
   RenderRequest& request_;
   bool jitter_ = false;
   std::string sampler_ = "sobol";
-  std::optional<std::string> filter_, grid_, tonemap_, view_;
+  std::optional<std::string> filter_, grid_, tonemap_, view_, light_choice_;
   ExposureSettings exposure_;
   LensSettings lens_;
   std::optional<uint32_t> samples_;

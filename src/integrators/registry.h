@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "integrators/debug_view.h"
 #include "integrators/integrator.h"
+#include "lights/light_choice.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 
@@ -26,6 +27,8 @@ struct IntegratorOptions {
   bool shadows = false;  ///< For `whitted`: lights are blocked by objects.
   /// For `ambient_occlusion`: what is farther away is not in the way. Nothing without a value.
   std::optional<float> ao_distance;
+  /// For `path`, `direct` and `light_trace`: how a light is chosen to be sampled.
+  LightChoice light_choice = LightChoice::kByEffect;
   DebugView view = DebugView::kNormal;  ///< For `debug`.
   uint32_t seed = 0;
   SamplerType sampler;  ///< Where the random numbers come from.
@@ -38,6 +41,7 @@ enum IntegratorUse : uint32_t {
   kUsesShadows = 4,
   kUsesAoDistance = 8,
   kUsesView = 16,
+  kUsesLightChoice = 32,
 };
 
 /// An integrator that may be asked for by name.

@@ -59,6 +59,8 @@ void PictureSettings::AddLight(ArgParser* parser, CommonOptions* common) {
                  kInRender);
   parser->Option("view", {Choice("NAME", &view_, DebugViewNames())}, DebugViewSummaries(),
                  kInRender);
+  parser->Option("light-choice", {Choice("NAME", &light_choice_, LightChoiceNames())},
+                 LightChoiceSummaries(), kInRender);
 }
 
 void PictureSettings::AddDistribution(ArgParser* parser) {
@@ -184,6 +186,7 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
   drop(kUsesDistribution, "depth-of-field", "depth_of_field", &light.depth_of_field);
   drop(kUsesAoDistance, "ao-distance", "ao_distance", &light.ao_distance);
   drop(kUsesView, "view", "view", &view_);
+  drop(kUsesLightChoice, "light-choice", "light_choice", &light_choice_);
 }
 
 void PictureSettings::CheckClamp(const ArgParser& parser, const ParamSet& settings,
@@ -213,6 +216,9 @@ void PictureSettings::Finish() {
     request_.integrator_options.indirect_sampling = IndirectSampling::kUniform;
   }
   FinishView();
+  if (light_choice_) {
+    request_.integrator_options.light_choice = FindLightChoice(*light_choice_)->choice;
+  }
 }
 
 void PictureSettings::FinishSamples() {

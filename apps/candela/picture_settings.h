@@ -71,7 +71,7 @@ class PictureSettings {
   RenderRequest& request_;
   bool jitter_ = false;
   std::string sampler_ = "sobol";
-  std::optional<std::string> filter_, grid_, tonemap_, view_, indirect_sampling_;
+  std::optional<std::string> filter_, grid_, tonemap_, view_, indirect_sampling_, light_choice_;
   ExposureSettings exposure_;
   LensSettings lens_;
   StopSettings stop_;

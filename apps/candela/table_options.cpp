@@ -9,6 +9,7 @@
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
 #include "kernel/accelerator_kind.h"
+#include "lights/light_choice.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -44,6 +45,18 @@ std::vector<std::string_view> DebugViewNames() {
 
 std::string DebugViewSummaries() {
   return Summaries("with debug: what is shown (default normal)", DebugViews());
+}
+
+std::vector<std::string_view> LightChoiceNames() {
+  return NamesOf(LightChoices());
+}
+
+std::string LightChoiceSummaries() {
+  return Summaries(
+      "with path, direct and light_trace: how a light is chosen to be sampled from a point; "
+      "changes "
+      "the noise alone (default effect)",
+      LightChoices());
 }
 
 std::vector<std::string_view> ToneCurveNames() {

@@ -16,6 +16,8 @@ std::vector<std::string_view> IntegratorNames();
 std::string IntegratorSummaries();
 std::vector<std::string_view> DebugViewNames();
 std::string DebugViewSummaries();
+std::vector<std::string_view> LightChoiceNames();
+std::string LightChoiceSummaries();
 std::vector<std::string_view> ToneCurveNames();
 std::string ToneCurveSummaries();
 std::vector<std::string_view> SamplerNames();

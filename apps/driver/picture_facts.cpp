@@ -85,6 +85,9 @@ std::string PictureOptions(const RenderRequest& request) {
   if (FindIntegrator(request.integrator)->Uses(kUsesView)) {
     options += fmt::format(" --view {}", NameOf(light.view));
   }
+  if (light.light_choice != LightChoice::kByEffect) {
+    options += fmt::format(" --light-choice {}", EntryOf(light.light_choice).name);
+  }
   if (render.pattern == SamplePattern::kFilter) {
     options += fmt::format(" --filter {}", render.filter);
   } else {

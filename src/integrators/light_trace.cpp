@@ -66,8 +66,9 @@ bool HasMedia(const Scene& scene) {
   });
 }
 
-PathTechniques BeyondLightPaths() {
+PathTechniques BeyondLightPaths(LightChoice light_choice) {
   PathTechniques techniques;
+  techniques.light_choice = light_choice;
   techniques.beyond_light_paths = true;
   techniques.lift = false;  // Light paths start from the true surface.
   return techniques;
@@ -110,7 +111,7 @@ struct LightTraceIntegrator::Batch final : Workspace {
 
 LightTraceIntegrator::LightTraceIntegrator(const Scene& scene, const IntegratorOptions& options)
     : scene_(scene),
-      from_camera_(scene, options, BeyondLightPaths()),
+      from_camera_(scene, options, BeyondLightPaths(options.light_choice)),
       ball_(BallAround(scene.Bounds())),
       sky_(SkyOf(scene.background())),
       has_media_(HasMedia(scene)),

@@ -56,7 +56,9 @@ PathIntegrator::PathIntegrator(const Scene& scene, const IntegratorOptions& opti
 
 Result<std::unique_ptr<Integrator>> PathIntegrator::Create(const Scene& scene,
                                                            const IntegratorOptions& options) {
-  return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options));
+  PathTechniques techniques;
+  techniques.light_choice = options.light_choice;
+  return std::unique_ptr<Integrator>(std::make_unique<PathIntegrator>(scene, options, techniques));
 }
 
 std::unique_ptr<Workspace> PathIntegrator::MakeWorkspace() const {
@@ -191,8 +193,9 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
 
 void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
                                  Batch* batch) const {
-  const auto& [point, wo, bsdf, material, is_lifted, time, media_beyond] = vertex;
-  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), point.p);
+  const Vec3 wo = vertex.wo;
+  const Bsdf& bsdf = vertex.bsdf;
+  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), vertex.AsReceiver());
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
 
@@ -275,7 +278,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
   path->bounces.Add(kind);
   path->pdf = next.is_delta ? 0 : next.pdf;
   if (!next.is_delta) path->cone.Scatter(next.pdf);
-  path->p = vertex.point.p;
+  path->receiver = vertex.AsReceiver();
   *ray = LeavingRay(vertex, next.wi);
   ray->mask = kReflectionRay;
   return true;

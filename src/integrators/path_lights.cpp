@@ -58,11 +58,12 @@ PathLights::PathLights(const Scene& scene, const PathTechniques& techniques)
   }
 }
 
-PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension, Vec3 p) const {
+PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension,
+                                    const Receiver& to) const {
   const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
-  const auto [index, choice] = picker_.Choose(p, u);
+  const auto [index, choice] = picker_.Choose(to, u);
   const Light& light = *lights_[index];
-  return {light.SampleIncident(p, path.sampler.Get2D(dimension + kLightPoint)), choice,
+  return {light.SampleIncident(to.p, path.sampler.Get2D(dimension + kLightPoint)), choice,
           light.Kind() != LightKind::kPoint};
 }
 
@@ -90,9 +91,9 @@ Spectrum PathLights::FromSurface(const PathState& path, const SurfacePoint& poin
 float PathLights::WeightOfFound(const PathState& path, uint32_t light, const SurfacePoint& point,
                                 Vec3 w) const {
   if (path.pdf == 0 || !techniques_.next_event) return 1;
-  const float choice = picker_.Probability(path.p, light);
+  const float choice = picker_.Probability(path.receiver, light);
   if (choice == 0) return 1;
-  return Weight(path.pdf, choice * lights_[light]->PdfIncident(path.p, point, w));
+  return Weight(path.pdf, choice * lights_[light]->PdfIncident(path.receiver.p, point, w));
 }
 
 float PathLights::Weight(float pdf, float other_pdf) const {

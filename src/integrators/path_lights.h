@@ -40,7 +40,7 @@ class PathLights {
     float Pdf() const { return choice * sample.pdf; }
   };
   /// Nothing was drawn when the density of the sample is 0.
-  Draw Sample(const PathState& path, uint32_t dimension, Vec3 p) const;
+  Draw Sample(const PathState& path, uint32_t dimension, const Receiver& to) const;
 
   /// The part that falls to a technique of density `pdf` when another has `other_pdf`.
   float Weight(float pdf, float other_pdf) const;

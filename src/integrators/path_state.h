@@ -6,8 +6,8 @@
 #include "integrators/medium_stack.h"
 #include "integrators/path_colour.h"
 #include "integrators/ray_cone.h"
+#include "lights/receiver.h"
 #include "math/spectrum.h"
-#include "math/vec.h"
 #include "sampling/sampler.h"
 
 namespace candela {
@@ -39,7 +39,7 @@ struct PathState {
   /// light could not have done it: from the camera and from mirrors. Holes on the way change
   /// nothing: rays to sampled lights pass them, too.
   float pdf = 0;
-  Vec3 p;  ///< The point of that surface.
+  Receiver receiver;  ///< The point of that surface.
   RayCone cone;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lights/light_picker.h"
+#include "lights/light_choice.h"
 
 namespace candela {
 

@@ -8,6 +8,7 @@
 #include "geometry/surface_point.h"
 #include "integrators/integrator.h"
 #include "integrators/medium_stack.h"
+#include "lights/receiver.h"
 #include "materials/bsdf.h"
 #include "materials/material.h"
 #include "math/vec.h"
@@ -28,6 +29,9 @@ struct PathVertex {
   bool is_lifted = false;    ///< See `Scene::LiftOf`.
   float time = 0;            ///< Of the path.
   MediumStack media_beyond;  ///< What light is in that goes through into a body, or out of it.
+
+  /// For the choice of a light, once it is evaluated.
+  Receiver AsReceiver() const { return {point.p, bsdf.IsOpaque() ? bsdf.frame.z : Vec3()}; }
 
   /// Finds out what the surface does with light, once all else is known.
   void Evaluate();

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "integrators/debug_view.h"
 #include "integrators/integrator.h"
+#include "lights/light_choice.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"
 
@@ -40,6 +41,8 @@ struct IntegratorOptions {
   bool depth_of_field = false;  ///< Rays go through all of the lens, not its middle.
   /// For `ambient_occlusion`: what is farther away is not in the way. Nothing without a value.
   std::optional<float> ao_distance;
+  /// For `path`, `direct` and `light_trace`: how a light is chosen to be sampled.
+  LightChoice light_choice = LightChoice::kByEffect;
   DebugView view = DebugView::kNormal;  ///< For `debug`.
   uint32_t seed = 0;
   SamplerType sampler;  ///< Where the random numbers come from.
@@ -53,6 +56,7 @@ enum IntegratorUse : uint32_t {
   kUsesAoDistance = 8,
   kUsesView = 16,
   kUsesDistribution = 32,  ///< From `light_samples` to `depth_of_field`.
+  kUsesLightChoice = 64,
 };
 
 /// An integrator that may be asked for by name.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "math/spectrum.h"
 #include "scene_spec/param_reader.h"
 
@@ -32,9 +35,12 @@ struct Falloff {
     return constant + by_distance + by_square;
   }
 
-  /// By which the colour is divided where lights are compared from afar, as if it was an intensity.
-  /// Without a quadratic part it is what a distance of 1 makes of it.
-  float ForComparison() const { return quadratic > 0 ? quadratic : constant + linear; }
+  /// By which the colour is divided where lights are compared from afar, as if it was an intensity:
+  /// what a distance of 1 makes of it. The quadratic part alone would not do, since a small one
+  /// beside others says nothing of how bright the lamp is. Finite, so that no lamp looks dark.
+  float ForComparison() const {
+    return std::min(constant + linear + quadratic, std::numeric_limits<float>::max());
+  }
 };
 
 }  // namespace candela

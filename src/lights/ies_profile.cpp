@@ -71,7 +71,6 @@ IesProfile::Cell IesProfile::CellOf(Vec3 w) const {
   cell.down = Part(vertical, table_.vertical[cell.row], table_.vertical[cell.row + 1]);
   cell.around =
       Part(horizontal, table_.horizontal[cell.column], table_.horizontal[cell.column + 1]);
-  cell.cosine = double{w.z} / std::sqrt(level * level + double{w.z} * double{w.z});
   cell.is_inside =
       vertical >= double{table_.vertical.front()} && vertical <= double{table_.vertical.back()};
   return cell;

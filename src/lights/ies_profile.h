@@ -48,7 +48,6 @@ class IesProfile {
   struct Cell {
     size_t row, column;
     double down, around;  ///< Vertical and horizontal angle from the first of the cell, in [0, 1].
-    double cosine;        ///< Of the vertical angle.
     bool is_inside;       ///< False where the table says nothing.
   };
   Cell CellOf(Vec3 w) const;

@@ -12,6 +12,8 @@ namespace {
 
 /// The part of the choice that goes by distance, where lights are few. The rest is even.
 constexpr float kByDistance = 0.8f;
+/// The same where they are many. The rest is by power.
+constexpr float kByTree = 0.9f;
 
 }  // namespace
 
@@ -36,6 +38,26 @@ LightPicker::LightPicker(std::span<const Light* const> lights, float size, Light
     candidates_[i].share = static_cast<float>(powers[i] / sum);
   }
   if (!looks_at_each_) table_.emplace(powers);
+  if (!looks_at_each_ && choice == LightChoice::kByEffect) PlantTree();
+}
+
+void LightPicker::PlantTree() {
+  std::vector<LightReach> near;
+  std::vector<double> far_powers;
+  for (uint32_t i = 0; i < candidates_.size(); ++i) {
+    const LightReach& reach = candidates_[i].reach;
+    std::vector<uint32_t>& list = reach.is_far ? far_ : near_;
+    parts_.push_back({reach.is_far, static_cast<uint32_t>(list.size())});
+    list.push_back(i);
+    if (reach.is_far) {
+      far_powers.push_back(double{reach.power});
+      far_effect_ += double{reach.power};
+    } else {
+      near.push_back(reach);
+    }
+  }
+  if (!near.empty()) tree_.emplace(near);
+  if (!far_powers.empty()) far_table_.emplace(far_powers);
 }
 
 float LightPicker::Effect(const LightReach& reach, Vec3 p) {
@@ -72,15 +94,55 @@ float LightPicker::ProbabilityOf(const Candidate& candidate, float effect, float
   return kByDistance * (effect / sum) + (1 - kByDistance) * candidate.share;
 }
 
-LightPicker::Pick LightPicker::Choose(Vec3 p, float u) const {
+float LightPicker::ShareOfTree(const Receiver& to) const {
+  if (!tree_) return 0;
+  if (!far_table_) return 1;
+  const double near = double{tree_->Effect(to)};
+  return static_cast<float>(near / (near + far_effect_));
+}
+
+float LightPicker::ChoiceOf(Part part, const Receiver& to) const {
+  const float share = ShareOfTree(to);
+  if (!part.is_far) return share * tree_->Probability(to, part.place);
+  const double power = double{candidates_[far_[part.place]].reach.power};
+  return (1 - share) * static_cast<float>(power / far_effect_);
+}
+
+float LightPicker::ProbabilityOfMany(const Candidate& candidate, float choice) {
+  return kByTree * choice + (1 - kByTree) * candidate.share;
+}
+
+LightPicker::Pick LightPicker::ChooseOfMany(const Receiver& to, double u) const {
+  constexpr double kLast = 0x1.fffffffffffffp-1;
+  uint32_t index;
+  if (u >= double{kByTree}) {
+    const double rest = std::min((u - double{kByTree}) / (1 - double{kByTree}), kLast);
+    index = table_->Draw(rest).index;
+  } else {
+    u = std::min(u / double{kByTree}, kLast);
+    const float share = ShareOfTree(to);
+    if (u < double{share}) {
+      const LightTree::Pick pick = tree_->Choose(to, std::min(u / double{share}, kLast));
+      const Candidate& chosen = candidates_[near_[pick.light]];
+      return {chosen.light, ProbabilityOfMany(chosen, share * pick.probability)};
+    }
+    const double rest = std::min((u - double{share}) / (1 - double{share}), kLast);
+    index = far_[far_table_->Draw(rest).index];
+  }
+  const Candidate& chosen = candidates_[index];
+  return {chosen.light, ProbabilityOfMany(chosen, ChoiceOf(parts_[index], to))};
+}
+
+LightPicker::Pick LightPicker::Choose(const Receiver& to, float u) const {
   DCHECK(HasLights());
   if (candidates_.size() == 1) return {candidates_[0].light, 1};
+  if (!parts_.empty()) return ChooseOfMany(to, double{u});
   if (!looks_at_each_) {
     const Candidate& chosen = candidates_[table_->Draw(double{u}).index];
     return {chosen.light, chosen.share};
   }
   std::array<float, kFew> effects;
-  const float sum = Effects(p, effects);
+  const float sum = Effects(to.p, effects);
   // The last one takes what rounding leaves.
   const size_t last = candidates_.size() - 1;
   for (size_t i = 0; i < last; ++i) {
@@ -91,15 +153,27 @@ LightPicker::Pick LightPicker::Choose(Vec3 p, float u) const {
   return {candidates_[last].light, ProbabilityOf(candidates_[last], effects[last], sum)};
 }
 
-float LightPicker::Probability(Vec3 p, uint32_t light) const {
+float LightPicker::Probability(const Receiver& to, uint32_t light) const {
   const uint32_t index = candidate_of_light_[light];
   if (index == kNever) return 0;
   const Candidate& candidate = candidates_[index];
   if (candidates_.size() == 1) return 1;
+  if (!parts_.empty()) return ProbabilityOfMany(candidate, ChoiceOf(parts_[index], to));
   if (!looks_at_each_) return candidate.share;
   std::array<float, kFew> effects;
-  const float sum = Effects(p, effects);
+  const float sum = Effects(to.p, effects);
   return ProbabilityOf(candidate, effects[index], sum);
+}
+
+uint64_t LightPicker::MemoryBytes() const {
+  uint64_t bytes =
+      candidates_.capacity() * sizeof(Candidate) +
+      (candidate_of_light_.capacity() + near_.capacity() + far_.capacity()) * sizeof(uint32_t) +
+      parts_.capacity() * sizeof(Part);
+  if (table_) bytes += table_->MemoryBytes();
+  if (far_table_) bytes += far_table_->MemoryBytes();
+  if (tree_) bytes += tree_->MemoryBytes();
+  return bytes;
 }
 
 }  // namespace candela

@@ -233,6 +233,9 @@ TEST_F(SceneSettingsTest, OptionsOfOtherIntegratorsAreWarnedOf) {
   EXPECT_EQ(err("Render { integrator path ao_distance 2 }", {}),
             "scene.txt:1:26: warning: 'ao_distance'" + no_effect("path"));
   EXPECT_EQ(err("Render { integrator ambient_occlusion ao_distance 2 }", {}), "");
+  EXPECT_EQ(err("Render { integrator whitted light_choice power }", {}),
+            "scene.txt:1:29: warning: 'light_choice'" + no_effect("whitted"));
+  EXPECT_EQ(err("Render { integrator direct light_choice power }", {}), "");
   EXPECT_EQ(err("Render { integrator debug view cost bounces 2 }", {}), "");
   EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("view cost"));
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -155,6 +156,43 @@ TEST(LightChoice, DoesNotChangeTheMean) {
   PathTechniques uniform;
   uniform.light_choice = LightChoice::kUniform;
   ExpectSame(With(*scene, {}), With(*scene, uniform));
+}
+
+/// The still life under so many lamps that a tree chooses them: round, flat and points, above all
+/// surfaces.
+std::string ManyLamps(int count) {
+  std::string lamps;
+  for (int i = 0; i < count; ++i) {
+    const char* kind = i % 3 == 0   ? "Component<Object> { type sphere radius 0.03 } "
+                       : i % 3 == 1 ? "Component<Object> { type rectangle width 0.1 height 0.1 } "
+                                    : "";
+    const std::string light =
+        i % 3 == 2 ? fmt::format("type point color {0} {0} {0} attenuation 20", 1 + i % 7)
+                   : fmt::format("type area radiance {0} {0} {0}", 2 * (1 + i % 7));
+    lamps += fmt::format(
+        "Node {{ Transform {{ translate {} {} {} x_rotate {} }} {} {} "
+        "Component<Light> {{ {} }} }} ",
+        i % 10 * 0.4 - 2, 0.9 + i % 4 * 0.4, i / 10 * 0.6 - 2, 30 * (i % 12), kind,
+        i % 3 == 2 ? "" : "Component<Material> { index 0 }", light);
+  }
+  return lamps;
+}
+
+// P9: a wrong probability on either side of the weights, or a lamp that is left out, would show.
+TEST(LightChoice, ByATreeDoesNotChangeTheMean) {
+  const auto scene = CompileText(StillLife("", ManyLamps(60)));
+  PathTechniques uniform;
+  uniform.light_choice = LightChoice::kUniform;
+  ExpectSame(With(*scene, {}), With(*scene, uniform, 32768), 6e-3);
+}
+
+// A step for each lamp with each other one would take much longer.
+TEST(LightChoice, IsReadyInAShortTimeWithTenThousandLamps) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto scene = CompileText(StillLife("", ManyLamps(10000)));
+  const PathIntegrator integrator(*scene, {});
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(time.count(), 20);
 }
 
 // P9

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -40,11 +41,12 @@ class LightPickerTest : public testing::TestWithParam<int> {
 };
 
 // Few, which are looked at one by one, and many.
-INSTANTIATE_TEST_SUITE_P(Counts, LightPickerTest, testing::Values(0, 1, 8, 100));
+INSTANTIATE_TEST_SUITE_P(Counts, LightPickerTest, testing::Values(0, 1, 8, 100, 2000));
 
 // P1
 TEST_P(LightPickerTest, ChoosesAsOftenAsItsProbabilitySays) {
-  for (const LightChoice choice : {LightChoice::kByEffect, LightChoice::kUniform}) {
+  for (const LightChoice choice :
+       {LightChoice::kByEffect, LightChoice::kUniform, LightChoice::kByPower}) {
     const LightPicker picker(lights_, 10, choice);
     const Vec3 p{2.2f, 0.1f, 0.3f};
     std::vector<double> shares;
@@ -81,8 +83,8 @@ TEST_P(LightPickerTest, EveryLightWithPowerMayBeChosenAnywhere) {
 TEST(LightPicker, PrefersWhatIsNear) {
   const PointLight left({-1, 0, 0}, {1, 1, 1}, 1), right({1, 0, 0}, {1, 1, 1}, 1);
   const LightPicker picker(std::vector<const Light*>{&left, &right}, 1, LightChoice::kByEffect);
-  EXPECT_FLOAT_EQ(picker.Probability({0, 5, 0}, 0), 0.5f);
-  EXPECT_FLOAT_EQ(picker.Probability({0.5f, 0, 0}, 1), 0.8f * 0.9f + 0.2f * 0.5f);
+  EXPECT_FLOAT_EQ(picker.Probability(Vec3{0, 5, 0}, 0), 0.5f);
+  EXPECT_FLOAT_EQ(picker.Probability(Vec3{0.5f, 0, 0}, 1), 0.8f * 0.9f + 0.2f * 0.5f);
 }
 
 /// Far enough from both, it is by the beam that they differ.
@@ -91,8 +93,8 @@ TEST(LightPicker, LeavesASpotOutOfWhoseBeamThePointIs) {
   const SpotLight spot({0, 0, 0}, {{0, 0, -1}, 0.95f, 0.9f}, {1, 1, 1}, 1);
   const LightPicker picker(std::vector<const Light*>{&all_around, &spot}, 1,
                            LightChoice::kByEffect);
-  EXPECT_FLOAT_EQ(picker.Probability({0, 0, -5}, 1), 0.5f);
-  EXPECT_FLOAT_EQ(picker.Probability({0, 4, -3}, 1), 0.1f) << "every light keeps a part";
+  EXPECT_FLOAT_EQ(picker.Probability(Vec3{0, 0, -5}, 1), 0.5f);
+  EXPECT_FLOAT_EQ(picker.Probability(Vec3{0, 4, -3}, 1), 0.1f) << "every light keeps a part";
 }
 
 // A lamp of one side is left out behind it, and fades towards its plane; the ball around it blurs
@@ -104,9 +106,9 @@ TEST(LightPicker, KnowsWhichWayAFlatLampShines) {
                  false);  // Intensity 1 along its normal.
   lamp.SetSurface(disk.MakeSampler(Transform(), Transform()), {}, 0.01f);
   const LightPicker picker(std::vector<const Light*>{&other, &lamp}, 1, LightChoice::kByEffect);
-  EXPECT_NEAR(picker.Probability({0, 0, 5}, 1), 0.5f, 1e-3);
-  EXPECT_NEAR(picker.Probability({3, 0, 4}, 1), 0.8f * 0.8f / 1.8f + 0.1f, 1e-3);
-  EXPECT_FLOAT_EQ(picker.Probability({0, 0, -5}, 1), 0.1f);
+  EXPECT_NEAR(picker.Probability(Vec3{0, 0, 5}, 1), 0.5f, 1e-3);
+  EXPECT_NEAR(picker.Probability(Vec3{3, 0, 4}, 1), 0.8f * 0.8f / 1.8f + 0.1f, 1e-3);
+  EXPECT_FLOAT_EQ(picker.Probability(Vec3{0, 0, -5}, 1), 0.1f);
 }
 
 TEST(LightPicker, HasNothingToChooseFromInTheDark) {
@@ -114,6 +116,25 @@ TEST(LightPicker, HasNothingToChooseFromInTheDark) {
   EXPECT_FALSE(LightPicker({}, 1, LightChoice::kByEffect).HasLights());
   const std::vector<const Light*> lights = {&dark};
   EXPECT_FALSE(LightPicker(lights, 1, LightChoice::kByEffect).HasLights());
+}
+
+// What is bright at hand is as bright as the lamp of
+// an attenuation, however little of its falloff is quadratic: shares do not go by that part.
+TEST(LightPicker, SmallQuadraticPartsOfAFalloffDoNotStarveOthers) {
+  for (const Falloff falloff : {Falloff(1, 0.1f, 0.001f), Falloff(1, 0, 1e-5f)}) {
+    std::vector<PointLight> lamps(40, PointLight({0, 1, 0}, {1, 1, 1}, falloff));
+    lamps.emplace_back(Vec3{1, 1, 0}, Rgb{1, 1, 1}, 1.0f);
+    std::vector<const Light*> lights;
+    for (const PointLight& lamp : lamps) lights.push_back(&lamp);
+    const LightPicker picker(lights, 10, LightChoice::kByEffect);
+    // As far from all of them.
+    EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, 40), 1 / 41.0f, 0.1f / 41);
+  }
+}
+
+TEST(LightPicker, LampsOfAnyFalloffMayBeChosen) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  EXPECT_GT(PointLight({}, {1, 1, 1}, {kMost, kMost, 1}).Reach().power, 0);
 }
 
 }  // namespace

@@ -268,9 +268,9 @@ TEST(MixTexture, IsTheMeanByItsAmount) {
 /// object is stretched along its axes.
 float SeenOnFloor(const std::string& text, Vec3d stretch, float footprint) {
   const auto texture = Make("noise", text);
-  const Transform object_from_world(Mat4::Scale({1 / stretch.x, 1 / stretch.y, 1 / stretch.z}));
+  const MovingTransform space({Mat4::Scale(stretch)});
   SurfacePoint point = Place({0.3f, 0.6f, 0});
-  point.object_from_world = &object_from_world;
+  point.object_space = &space;
   point.footprint = footprint;
   return texture->Lookup(point).x;
 }

@@ -215,7 +215,8 @@ class Parser {
       for (const std::string_view name : {"scale", "rotate"}) {
         if (!reader->Has(name) || (name == "scale" && background.sky)) continue;
         reader->Error(reader->Where(name),
-                      fmt::format("'{}' is for an 'environment', of which there is none", name));
+                      fmt::format("'{}' is for an 'environment'{}, of which there is none", name,
+                                  name == "scale" ? " or a 'sky'" : ""));
       }
     } else if (reader->Has("cube_map")) {
       reader->Error(background.environment_where,

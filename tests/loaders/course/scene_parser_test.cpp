@@ -101,8 +101,8 @@ TEST(SceneParser, ABackgroundMayBeAnEnvironment) {
   EXPECT_THAT(lines, ElementsAre("s:2:26: error: a background has a 'cube_map' or an "
                                  "'environment', not both"));
   Parse(kCamera + "Background { scale 2 } Scene { }", &lines);
-  EXPECT_THAT(lines, ElementsAre("s:2:20: error: 'scale' is for an 'environment', of which there "
-                                 "is none"));
+  EXPECT_THAT(lines, ElementsAre("s:2:20: error: 'scale' is for an 'environment' or a 'sky', of "
+                                 "which there is none"));
 }
 
 TEST(SceneParser, MaterialsArePhongUnlessTheySayOtherwise) {

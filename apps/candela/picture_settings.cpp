@@ -155,8 +155,16 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
                                          Diagnostics* diagnostics) {
   CheckClamp(parser, settings, diagnostics);
   stop_.CheckScene(parser, settings, sampler_, diagnostics);
-  const std::string text =
-      fmt::format("has no effect with the integrator '{}'", request_.integrator);
+  const IntegratorEntry& integrator = *FindIntegrator(request_.integrator);
+  uint32_t uses = integrator.uses;
+  std::string text = fmt::format("has no effect with the integrator '{}'", request_.integrator);
+  if (integrator.Uses(kUsesView)) {
+    const DebugViewEntry& view = view_ ? *FindDebugView(*view_) : DebugViews().front();
+    if (!view.follows_light) {
+      uses = kUsesView;
+      text = fmt::format("has no effect with the view '{}'", view.name);
+    }
+  }
   const auto warn = [&](std::string_view option, std::string_view param) {
     const Param* in_scene = settings.Find(param);
     if (parser.Has(option)) {
@@ -165,11 +173,10 @@ void PictureSettings::CheckForIntegrator(const ArgParser& parser, const ParamSet
       diagnostics->Warning(in_scene->where, fmt::format("'{}' {}", param, text));
     }
   };
-  const IntegratorEntry& integrator = *FindIntegrator(request_.integrator);
   IntegratorOptions& light = request_.integrator_options;
   const auto drop = [&](IntegratorUse use, std::string_view option, std::string_view param,
                         auto* value) {
-    if (integrator.Uses(use) || !*value) return;
+    if ((uses & use) != 0 || !*value) return;
     warn(option, param);
     *value = {};
   };

@@ -1,5 +1,5 @@
 // Measures the accelerators with the course's scenes and with small forms of the meshes of
-// bench/kernel. Prints one table.
+// bench/kernel. Prints a table of each.
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kName = "accelerator_bench";
 
-/// "| 12.3 | 1.5x |": a time, and how many times the one of the first row it is.
+/// Of one accelerator in one scene: each time of a ray, and how many times the tree's it is.
 std::string Row(const std::string& scene, std::string_view accelerator, const Cost& cost,
                 const Cost& bvh) {
   std::string row = fmt::format("| {:12} | {:6} | {:8.2f} | {:9.1f} |", scene, accelerator,
@@ -48,7 +48,7 @@ Result<std::string> Rows(const std::string& scene, const CostOf& cost_of) {
 
 Result<std::string> Tables(const BenchOptions& options) {
   std::string text =
-      "| scene        |        | build ms | memory kB | ns of ray |  to bvh |\n"
+      "| scene        |        | build ms | memory kB | ns to ray |  to bvh |\n"
       "|--------------|--------|---------:|----------:|----------:|--------:|\n";
   for (const testing_support::CourseScene& course : testing_support::kCourseScenes) {
     const std::string name = std::filesystem::path(course.file).stem().string().substr(5);

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <ctime>
 #include <limits>
 #include <vector>
+
+#include "support/cpu_seconds.h"
 
 namespace candela {
 
@@ -21,10 +22,6 @@ struct Cost {
   uint64_t bytes = 0;
   std::vector<double> ray_ns;  ///< Of each set of rays.
 };
-
-inline double CpuSeconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// The least seconds of several turns of `work`.
 template <class Work>

@@ -25,9 +25,9 @@ Result<Cost> CostOfMesh(const BenchScene& scene, AcceleratorKind accelerator,
   cost.build_ms = 1000 * LeastSeconds(options.repetitions, [&] { CHECK(make().ok()); });
   cost.bytes = (*group)->MemoryBytes();
   const std::vector<Ray> camera = CameraRays(scene.view, options.side);
-  for (const auto& rays : {camera, ScatteredRays(**group, camera)}) {
-    cost.ray_ns.push_back(NanosecondsPerRay(**group, rays, options.repetitions));
-  }
+  const std::vector<Ray> scattered = ScatteredRays(**group, camera);
+  cost.ray_ns = {NanosecondsPerRay(**group, RayOrder::kCoherent, camera, options.repetitions),
+                 NanosecondsPerRay(**group, RayOrder::kScattered, scattered, options.repetitions)};
   return cost;
 }
 

@@ -9,8 +9,9 @@
 
 namespace candela {
 
-/// A name, and what an accelerator costs there.
+/// What an accelerator costs in some place.
 using CostOf = std::function<Result<Cost>(AcceleratorKind accelerator)>;
+/// Gets the name of each mesh, and what accelerators cost there.
 using MeshVisitor = std::function<Result<void>(const std::string& mesh, const CostOf& cost_of)>;
 
 /// Shows small forms of the meshes of bench/kernel, with rays from the camera and scattered ones.

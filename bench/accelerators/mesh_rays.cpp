@@ -3,13 +3,15 @@
 #include <algorithm>
 
 #include "cost.h"
+#include "math/elementary.h"
 #include "math/frame.h"
 
 namespace candela {
 
 std::vector<Ray> CameraRays(const View& view, int side) {
   const Frame frame = Frame::FromNormal(Normalize(view.look_at - view.eye));
-  const float half = 0.466f;  // The tangent of half of 50 degrees.
+  const double angle = double{view.fov_degrees} * kPi / 360;
+  const auto half = static_cast<float>(Sin(angle) / Cos(angle));
   std::vector<Ray> rays;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
@@ -37,11 +39,12 @@ std::vector<Ray> ScatteredRays(const Group& group, const std::vector<Ray>& camer
   return rays;
 }
 
-double NanosecondsPerRay(const Group& group, const std::vector<Ray>& rays, int repetitions) {
+double NanosecondsPerRay(const Group& group, RayOrder order, const std::vector<Ray>& rays,
+                         int repetitions) {
   std::vector<HitRecord> hits(rays.size());
   const double seconds = LeastSeconds(repetitions, [&] {
     std::ranges::fill(hits, HitRecord());
-    group.Intersect(RayOrder::kScattered, rays, hits);
+    group.Intersect(order, rays, hits);
   });
   return 1e9 * seconds / static_cast<double>(std::max<size_t>(rays.size(), 1));
 }

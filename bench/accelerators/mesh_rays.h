@@ -15,6 +15,7 @@ std::vector<Ray> CameraRays(const View& view, int side);
 std::vector<Ray> ScatteredRays(const Group& group, const std::vector<Ray>& camera_rays);
 
 /// The least of several times that a search for the nearest hits takes.
-double NanosecondsPerRay(const Group& group, const std::vector<Ray>& rays, int repetitions);
+double NanosecondsPerRay(const Group& group, RayOrder order, const std::vector<Ray>& rays,
+                         int repetitions);
 
 }  // namespace candela

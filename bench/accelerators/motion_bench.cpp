@@ -88,7 +88,8 @@ Result<std::string> Rows(const SceneEntry& entry, const BenchOptions& bench) {
     rows += fmt::format("| {:12} | {:14} |", entry.name, name);
     const std::vector<Ray>* sets[] = {&camera, &scattered};
     for (size_t i = 0; i < 2; ++i) {
-      const double ns = NanosecondsPerRay(**group, *sets[i], bench.repetitions);
+      const double ns =
+          NanosecondsPerRay(**group, RayOrder::kScattered, *sets[i], bench.repetitions);
       if (rest[i] == 0) rest[i] = ns;
       rows += fmt::format(" {:9.0f} | {:7.2f} |", ns, ns / rest[i]);
     }

@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "our_group.h"
+#include "support/cpu_seconds.h"
 
 namespace candela {
 namespace {

@@ -1,6 +1,5 @@
 #include "modes.h"
-
-#include <time.h>
+#include "support/cpu_seconds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,12 +92,6 @@ uint64_t CountOthers(std::span<const HitRecord> hits, std::span<const HitRecord>
 }
 
 }  // namespace
-
-double CpuSeconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 std::array<double, kModes> TimeModes(const Tracers& tracers, std::span<const Ray> rays,
                                      bool any_hit, int repetitions) {

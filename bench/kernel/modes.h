@@ -36,9 +36,6 @@ struct Tracer {
 };
 using Tracers = std::array<Tracer, kModes>;
 
-/// CPU time of all threads of this process so far.
-double CpuSeconds();
-
 /// Best CPU time of each mode for all rays, in seconds. In each repetition every mode has its turn.
 /// `any_hit`: asks whether the rays hit anything.
 std::array<double, kModes> TimeModes(const Tracers& tracers, std::span<const Ray> rays,

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +23,7 @@
 #include "picture_error.h"
 #include "render/render_job.h"
 #include "scene/compile_scene.h"
+#include "support/cpu_seconds.h"
 #include "support/document_table.h"
 
 namespace candela {
@@ -38,10 +38,6 @@ struct BenchOptions {
   bool print_scene = false;
   bool update = false;
 };
-
-double CpuSeconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 struct Picture {
   Image image;

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <iterator>
 #include <span>
@@ -18,6 +17,7 @@
 #include "base/memory.h"
 #include "base/number.h"
 #include "loaders/obj/obj_reader.h"
+#include "support/cpu_seconds.h"
 
 namespace candela {
 namespace {
@@ -53,10 +53,6 @@ std::string GridText(int side, bool with_attributes) {
     }
   }
   return text;
-}
-
-double CpuSeconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// Prints a row of the table; false when the mesh could not be read.

@@ -22,8 +22,8 @@ constexpr DebugViewEntry kViews[] = {
     {"object_id", "a colour for each object", DebugView::kObjectId},
     {"material_id", "a colour for each material", DebugView::kMaterialId},
     {"depth", "how near it is, by the size of the scene", DebugView::kDepth},
-    {"bounces", "how often the ray goes on, as heat", DebugView::kBounces},
-    {"cost", "how many rays a sample takes, as heat", DebugView::kCost},
+    {"bounces", "how often the ray goes on, as heat", DebugView::kBounces, true},
+    {"cost", "how many rays a sample takes, as heat", DebugView::kCost, true},
 };
 
 /// 0 for 0 and 1 for everything: so many are in the middle.

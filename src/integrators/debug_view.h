@@ -32,6 +32,7 @@ struct DebugViewEntry {
   std::string_view name;
   std::string_view description;
   DebugView view;
+  bool follows_light = false;  ///< It shows what another integrator does, by its options.
 };
 
 /// All of them, in the order of the manual.

@@ -58,7 +58,8 @@ constexpr IntegratorEntry kIntegrators[] = {
      &AmbientOcclusionIntegrator::Create, false, false, false, true, kUsesAoDistance},
     {"debug", "what a renderer works with, as --view says", nullptr, &DebugIntegrator::Create,
      false, false, false, false,
-     kUsesBounces | kUsesBounceKinds | kUsesShadows | kUsesDistribution | kUsesView},
+     kUsesBounces | kUsesBounceKinds | kUsesShadows | kUsesDistribution | kUsesView |
+         kUsesLightChoice},
 };
 
 }  // namespace

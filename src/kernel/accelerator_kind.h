@@ -6,7 +6,9 @@
 
 namespace candela {
 
-/// What finds the hits of a group. All kinds find the same ones, bit for bit.
+/// What finds the hits of a group. All kinds find the same ones, bit for bit, for rays that start
+/// within a few hundred times the width of the group. From farther away rounding lets the tree pass
+/// by the edges of boxes that are no wider than what is in them, as those of turned rectangles are.
 enum class AcceleratorKind : uint8_t {
   kBvh,     ///< The kernel's own: a wide bounding volume hierarchy.
   kGrid,    ///< For courses and comparison: a uniform grid,

@@ -38,6 +38,7 @@ constexpr Law kLaws[] = {
     {"P7", "all ways to solve the same transport have the same mean"},
     {"P9", "roulette, choice of lights and weights change the noise, not the mean"},
     {"P10", "noise falls as fast as the sampler promises"},
+    {"P11", "intervals by the error that is told hold the truth"},
     {"P12", "limits of depth give partial sums, with roulette and without"},
     {"P13", "lines through solids find volume, surface and mean chord"},
     {"P14", "the camera shows lines, sizes and blur as optics says"},

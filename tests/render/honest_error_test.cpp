@@ -49,6 +49,7 @@ RenderOptions Square(uint32_t samples) {
   return options;
 }
 
+// P11
 TEST(HonestError, IntervalsOfAPathTracerHoldTheTruth) {
   const auto scene = SceneOfText(kScene);
   ASSERT_TRUE(scene);

@@ -49,7 +49,6 @@ class PrincipledMaterial final : public Material {
   static bool MayBeAbove0(const NumberInput& input) {
     return input.IsTextured() || input.value() > 0;
   }
-  PrincipledLayers MakeLayers() const;
   Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic, bool is_outside) const;
 
   Inputs inputs_;

@@ -66,6 +66,10 @@ struct DielectricParams {
   const EnergyTable *energy_here, *energy_beyond;
   float table_row;
   FilmParams film;
+  /// For one wavelength of glass that disperses much: what is between those tables and these, of
+  /// the next index that has some, `next_part` of the way. Else there are none, and that is 0.
+  const EnergyTable *next_here, *next_beyond;
+  float next_part;
 };
 
 struct PaneParams {

@@ -60,18 +60,18 @@ std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
     params->Error(params->Where("ior"), "a 'principled' surface has an 'ior' above 1");
     inputs.ior = 1.5f;
   }
-  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices,
+  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.media,
                                               context.energies.get());
 }
 
-PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices,
+PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const Medium> media,
                                        EnergyStore* energies)
     : inputs_(std::move(inputs)),
       layers_(inputs_.ior, inputs_.roughness, inputs_.anisotropy, inputs_.rotation_degrees) {
   if (MayBeAbove0(inputs_.clearcoat)) layers_.AddCoat(inputs_.clearcoat_roughness);
   if (MayBeAbove0(inputs_.sheen)) layers_.AddSheen();
   if (MayBeAbove0(inputs_.transmission)) {
-    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices, std::nullopt, energies);
+    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, media, std::nullopt, energies);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cameras/moving_camera.h"
@@ -31,6 +32,14 @@ std::unique_ptr<Camera> PerspectiveCamera::Create(ParamReader* params, CameraSpe
   ReadLens(params, &view);
   ReadTilt(params, &view);
   view.shift = params->Pair("shift", {0, 0});
+  // Farther out the digits of the rays do not tell pixels apart.
+  constexpr float kMostShift = 1000;
+  if (!(std::max(std::abs(view.shift.x), std::abs(view.shift.y)) <= kMostShift)) {
+    params->Error(params->Where("shift"),
+                  fmt::format("'shift' expects two numbers between -{0} and {0}, found '{1} {2}'",
+                              kMostShift, view.shift.x, view.shift.y));
+    view.shift = {};
+  }
   return std::make_unique<PerspectiveCamera>(view);
 }
 

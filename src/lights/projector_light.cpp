@@ -67,15 +67,25 @@ ProjectorLight::ProjectorLight(Vec3 position, const Beam& beam, ColorInput image
     : position_(position),
       extent_(beam.extent),
       image_(std::move(image)),
-      intensity_(color / attenuation),
-      distribution_([this] {
-        const Means means = MeansOfCells(image_);
-        mean_image_ = means.all;
-        return Distribution2D(means.cells, kGrid);
-      }()) {
+      intensity_(color / attenuation) {
   frame_.z = NormalizeAnyLength(beam.direction);
   frame_.x = NormalizeAnyLength(Cross(frame_.z, NormalizeAnyLength(beam.up)));
   frame_.y = Cross(frame_.x, frame_.z);
+  if (beam.is_mirrored) frame_.x = -frame_.x;
+}
+
+const ProjectorLight::Overview& ProjectorLight::TheOverview() const {
+  std::call_once(is_looked_at_, [this] {
+    if (image_.IsTextured()) {
+      const Means means = MeansOfCells(image_);
+      overview_.reset(new Overview{means.all, Distribution2D(means.cells, kGrid)});
+      return;
+    }
+    const Rgb color = Max(image_.value(), Rgb());
+    const float cell[] = {MeanOf(color)};
+    overview_.reset(new Overview{color, Distribution2D(cell, 1)});
+  });
+  return *overview_;
 }
 
 std::unique_ptr<Light> ProjectorLight::Create(ParamReader* params, const LightContext& context) {
@@ -94,6 +104,8 @@ std::unique_ptr<Light> ProjectorLight::Create(ParamReader* params, const LightCo
     return !(Length(across) >= 1e-6);  // Of what is not finite too.
   };
   Beam beam{context.world_from_node.Vector(direction), context.world_from_node.Vector(up), {1, 1}};
+  const Vec3 right = context.world_from_node.Vector(Cross(direction, up));
+  beam.is_mirrored = Dot(right, Cross(beam.direction, beam.up)) < 0;
   const bool are_right =
       params->Has("direction") && params->Has("up") && diagnostics.ErrorCount() == errors_before;
   if (are_right && are_parallel(direction, up)) {
@@ -128,7 +140,7 @@ Rgb ProjectorLight::ImageAt(Vec2 uv) const {
 float ProjectorLight::PdfOfPlace(Vec2 uv) const {
   constexpr float kBelowOne = 0x1.fffffep-1f;
   const Vec2 inside{std::min(uv.x, kBelowOne), std::min(uv.y, kBelowOne)};
-  return kEvenShare + (1 - kEvenShare) * distribution_.Pdf(inside);
+  return kEvenShare + (1 - kEvenShare) * TheOverview().distribution.Pdf(inside);
 }
 
 LightSample ProjectorLight::SampleIncident(Vec3 p) const {
@@ -144,7 +156,7 @@ LightSample ProjectorLight::SampleIncident(Vec3 p) const {
 
 LightReach ProjectorLight::Reach() const {
   constexpr auto kAllAround = static_cast<float>(4 * kPi);
-  const float mean = std::max(MeanOf(mean_image_), kLeastMean) * MeanOf(Abs(intensity_));
+  const float mean = std::max(MeanOf(TheOverview().mean), kLeastMean) * MeanOf(Abs(intensity_));
   LightReach reach{kAllAround * mean, false, position_, 0};
   reach.axis = frame_.z;
   const float corner = extent_.x * extent_.x + extent_.y * extent_.y;
@@ -160,7 +172,7 @@ EmissionSample ProjectorLight::SampleEmission(const Ball&, Vec2, Vec2 u_directio
     uv = {u_direction.x / kEvenShare, u_direction.y};
   } else {
     const float rest = (u_direction.x - kEvenShare) / (1 - kEvenShare);
-    uv = distribution_.Draw({std::min(rest, 0x1.fffffep-1f), u_direction.y}).position;
+    uv = TheOverview().distribution.Draw({std::min(rest, 0x1.fffffep-1f), u_direction.y}).position;
   }
   const Vec3 local{(2 * uv.x - 1) * extent_.x, (2 * uv.y - 1) * extent_.y, 1};
   const float squared = LengthSquared(local);
@@ -183,7 +195,8 @@ EmissionPdf ProjectorLight::PdfEmission(const Ball&, const SurfacePoint&, Vec3 w
 }
 
 float ProjectorLight::Power(const Ball&) const {
-  const Rgb color = Max(mean_image_, Rgb{kLeastMean, kLeastMean, kLeastMean}) * Abs(intensity_);
+  const Rgb color =
+      Max(TheOverview().mean, Rgb{kLeastMean, kLeastMean, kLeastMean}) * Abs(intensity_);
   return MeanOf(color) * Area();
 }
 

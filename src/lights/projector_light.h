@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "lights/light.h"
 #include "math/frame.h"
@@ -24,6 +25,7 @@ class ProjectorLight final : public Light {
     Vec3 direction;  ///< Where its middle goes; any length but 0.
     Vec3 up;         ///< What is up in the picture; any length but 0, not parallel to `direction`.
     Vec2 extent;     ///< Half of the width and of the height of the picture at distance 1; above 0.
+    bool is_mirrored = false;  ///< Left and right have changed places.
   };
   /// Colours below 0 in the picture count as 0. Of a picture with details finer than 1/512 of it
   /// the power is known roughly; the light is not.
@@ -39,6 +41,14 @@ class ProjectorLight final : public Light {
   float Power(const Ball& scene) const override;
 
  private:
+  /// Of the picture: its mean, and how densely places of emission are drawn.
+  struct Overview {
+    Rgb mean;
+    Distribution2D distribution;
+  };
+  /// Made when it is asked for first: many scenes never do, and it takes many lookups.
+  const Overview& TheOverview() const;
+
   /// Where a direction goes through the picture, with the cosine to its middle; a cosine of 0 where
   /// it does not.
   struct Place {
@@ -56,9 +66,9 @@ class ProjectorLight final : public Light {
   Frame frame_;  ///< Right and up in the picture, and the direction.
   Vec2 extent_;
   ColorInput image_;
-  Rgb intensity_;   ///< In the middle, of a white picture.
-  Rgb mean_image_;  ///< Over the grid of the distribution.
-  Distribution2D distribution_;
+  Rgb intensity_;  ///< In the middle, of a white picture.
+  mutable std::once_flag is_looked_at_;
+  mutable std::unique_ptr<const Overview> overview_;
 };
 
 }  // namespace candela

@@ -26,8 +26,13 @@ std::unique_ptr<Light> SpotLight::Create(ParamReader* params, const LightContext
   const Rgb color = params->Color("color", {1, 1, 1});
   const Falloff falloff = Falloff::Read(params);
   Vec3 in_world = context.world_from_node.Vector(direction);
-  // A node that squeezes the direction away is reported with its place.
-  if (in_world == Vec3() || !IsFinite(in_world)) in_world = direction;
+  if (in_world == Vec3() || !IsFinite(in_world)) {
+    if (params->Has("direction")) {
+      params->Error(params->Where("direction"),
+                    "the transform of the node leaves the spot no direction");
+    }
+    in_world = direction;
+  }
   const Beam beam{in_world, static_cast<float>(CosDegrees(double{angle} / 2 * (1 - double{blend}))),
                   static_cast<float>(CosDegrees(double{angle} / 2))};
   return std::make_unique<SpotLight>(context.world_from_node.Point({0, 0, 0}), beam, color,

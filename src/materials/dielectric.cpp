@@ -6,6 +6,7 @@
 
 #include "materials/dielectric_lobe.h"
 #include "materials/pane.h"
+#include "math/wavelength.h"
 
 namespace candela {
 namespace {
@@ -13,6 +14,11 @@ namespace {
 /// Boundaries that hardly refract are taken as polished: there is no telling which facet leads from
 /// one direction to the other.
 constexpr float kLeastContrast = 1e-3f;
+
+/// Where the indices of all wavelengths lie closer together, the energies of yellow light are those
+/// of all: the error is below that of the tables. Else there are tables at such steps of the index,
+/// but no more than so many.
+constexpr float kLeastSpread = 0.01f, kRatioStep = 0.05f, kMostRatioSteps = 8;
 
 /// The middle one of three, for red, green and blue.
 std::shared_ptr<const EnergyTable> EnergyOf(float eta, const Roughness& roughness,
@@ -54,48 +60,75 @@ std::unique_ptr<Material> DielectricMaterial::Create(ParamReader* params,
   }
   Roughness roughness = Roughness::Create(params, context);
   auto film = ReadFilm(params, context, roughness);
-  return std::make_unique<DielectricMaterial>(medium, std::move(roughness), context.indices,
+  return std::make_unique<DielectricMaterial>(medium, std::move(roughness), context.media,
                                               std::move(film), context.energies.get());
 }
 
 DielectricMaterial::DielectricMaterial(const Medium& medium, Roughness roughness,
-                                       std::span<const float> indices,
-                                       std::optional<FilmInput> film, EnergyStore* energies)
+                                       std::span<const Medium> media, std::optional<FilmInput> film,
+                                       EnergyStore* energies)
     : medium_(medium), roughness_(std::move(roughness)), film_(std::move(film)) {
   if (roughness_.IsNowhere() && !film_) return;
   EnergyStore own;
   if (!energies) energies = &own;
-  AddTables(1, medium.ior, energies);
-  for (size_t i = 0; i < indices.size(); ++i) {
+  AddTables(kAir, medium, energies);
+  for (size_t i = 0; i < media.size(); ++i) {
     // Films lie also between bodies of the same index, as that of a bubble does.
-    for (size_t j = 0; j < i + (film_ ? 1 : 0); ++j) AddTables(indices[i], indices[j], energies);
+    for (size_t j = 0; j < i + (film_ ? 1 : 0); ++j) AddTables(media[i], media[j], energies);
   }
 }
 
-void DielectricMaterial::AddTables(float index_a, float index_b, EnergyStore* energies) {
-  const bool has_energy =
-      !roughness_.IsNowhere() && std::abs(index_b / index_a - 1) >= kLeastContrast;
+void DielectricMaterial::AddTables(const Medium& a, const Medium& b, EnergyStore* energies) {
+  const bool has_energy = !roughness_.IsNowhere() && std::abs(b.ior / a.ior - 1) >= kLeastContrast;
   if (!has_energy && !film_) return;
   const bool is_there = std::any_of(tables_.begin(), tables_.end(), [&](const Tables& tables) {
-    return std::minmax(tables.index_a, tables.index_b) == std::minmax(index_a, index_b);
+    return (tables.a.RefractsAs(a) && tables.b.RefractsAs(b)) ||
+           (tables.a.RefractsAs(b) && tables.b.RefractsAs(a));
   });
   if (is_there) return;
-  Tables& tables = tables_.emplace_back(Tables{index_a, index_b, {}, {}, {}});
+  Tables& tables = tables_.emplace_back();
+  tables.a = a;
+  tables.b = b;
   if (film_) {
-    const float outside = std::min(index_a, index_b), base = std::max(index_a, index_b);
+    const float outside = std::min(a.ior, b.ior), base = std::max(a.ior, b.ior);
     tables.film = film_->MakeTable(outside, {base, base, base}, {0, 0, 0});
   }
   if (has_energy) AddEnergy(&tables, energies);
 }
 
 void DielectricMaterial::AddEnergy(Tables* tables, EnergyStore* energies) const {
-  const float eta = tables->index_b / tables->index_a;
+  const float eta = tables->b.ior / tables->a.ior;
   if (tables->film) {
-    tables->from_a = EnergyOf(eta, roughness_, *tables->film);
-    tables->from_b = EnergyOf(1 / eta, roughness_, *tables->film);
-  } else {
-    tables->from_a = energies->OfDielectric(eta, roughness_);
-    tables->from_b = energies->OfDielectric(1 / eta, roughness_);
+    tables->yellow = {EnergyOf(eta, roughness_, *tables->film),
+                      EnergyOf(1 / eta, roughness_, *tables->film)};
+    return;
+  }
+  tables->yellow = {energies->OfDielectric(eta, roughness_),
+                    energies->OfDielectric(1 / eta, roughness_)};
+  AddEnergyByRatio(tables, energies);
+}
+
+void DielectricMaterial::AddEnergyByRatio(Tables* tables, EnergyStore* energies) const {
+  if (tables->a.dispersion.IsNone() && tables->b.dispersion.IsNone()) return;
+  float least = tables->b.ior / tables->a.ior, most = least;
+  constexpr int kSteps = 32;
+  for (int i = 0; i <= kSteps; ++i) {
+    const float part = static_cast<float>(i) / kSteps;
+    const float wavelength =
+        kShortestWavelength + (kLongestWavelength - kShortestWavelength) * part;
+    const float ratio = tables->b.IndexAt(wavelength) / tables->a.IndexAt(wavelength);
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  const float spread = most / least - 1;
+  if (!(spread >= kLeastSpread)) return;
+  const float steps = std::clamp(std::ceil(spread / kRatioStep), 1.0f, kMostRatioSteps);
+  tables->least_ratio = least;
+  tables->ratio_step = (most - least) / steps;
+  for (float i = 0; i <= steps; ++i) {
+    const float ratio = least + tables->ratio_step * i;
+    tables->by_ratio.push_back(
+        {energies->OfDielectric(ratio, roughness_), energies->OfDielectric(1 / ratio, roughness_)});
   }
 }
 
@@ -116,23 +149,55 @@ void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   const float alpha = roughness_.AlphaAt(point);
   Lobe lobe{LobeKind::kSmoothDielectric, 1, Spectrum(1)};
   const float eta = beyond->IndexAt(wavelength) / here->IndexAt(wavelength);
-  lobe.dielectric = {eta, {alpha, alpha}, nullptr, nullptr, 0, {}};
+  lobe.dielectric = {eta, {alpha, alpha}, nullptr, nullptr, 0, {}, nullptr, nullptr, 0};
   const bool is_rough = alpha >= kSmoothestAlpha;
   if (is_rough || film_) {
-    for (const Tables& tables : tables_) {
-      const bool is_from_a = tables.index_a == here->ior && tables.index_b == beyond->ior;
-      if (!is_from_a && !(tables.index_b == here->ior && tables.index_a == beyond->ior)) continue;
-      if (film_) lobe.dielectric.film = FilmOf(tables, *here, *beyond, wavelength, point);
-      if (is_rough && tables.from_a) {
+    if (const Tables* tables = TablesOf(*here, *beyond)) {
+      if (film_) lobe.dielectric.film = FilmOf(*tables, *here, *beyond, wavelength, point);
+      if (is_rough && tables->yellow.from_a) {
         lobe.kind = LobeKind::kDielectric;
-        lobe.dielectric.energy_here = (is_from_a ? tables.from_a : tables.from_b).get();
-        lobe.dielectric.energy_beyond = (is_from_a ? tables.from_b : tables.from_a).get();
+        SetEnergy(*tables, tables->a.ior == here->ior && tables->b.ior == beyond->ior, wavelength,
+                  &lobe.dielectric);
         lobe.dielectric.table_row = roughness_.TableRow(alpha);
       }
-      break;
     }
   }
   bsdf->Add(lobe);
+}
+
+// Bodies that the scene says nothing of may have the index of one of the media, and disperse
+// differently: then those of yellow light are theirs too.
+const DielectricMaterial::Tables* DielectricMaterial::TablesOf(const Medium& here,
+                                                               const Medium& beyond) const {
+  const Tables* similar = nullptr;
+  for (const Tables& tables : tables_) {
+    const bool is_from_a = tables.a.ior == here.ior && tables.b.ior == beyond.ior;
+    if (!is_from_a && !(tables.b.ior == here.ior && tables.a.ior == beyond.ior)) continue;
+    const bool is_same = is_from_a ? tables.a.RefractsAs(here) && tables.b.RefractsAs(beyond)
+                                   : tables.b.RefractsAs(here) && tables.a.RefractsAs(beyond);
+    if (is_same) return &tables;
+    if (!similar) similar = &tables;
+  }
+  return similar;
+}
+
+void DielectricMaterial::SetEnergy(const Tables& tables, bool is_from_a, float wavelength,
+                                   DielectricParams* glass) {
+  const auto set = [is_from_a](const Energies& energies, const EnergyTable** energy_here,
+                               const EnergyTable** energy_beyond) {
+    *energy_here = (is_from_a ? energies.from_a : energies.from_b).get();
+    *energy_beyond = (is_from_a ? energies.from_b : energies.from_a).get();
+  };
+  if (wavelength == 0 || tables.by_ratio.empty()) {
+    set(tables.yellow, &glass->energy_here, &glass->energy_beyond);
+    return;
+  }
+  const float ratio = is_from_a ? glass->eta : 1 / glass->eta;
+  const float place = std::max((ratio - tables.least_ratio) / tables.ratio_step, 0.0f);
+  const size_t first = std::min(static_cast<size_t>(place), tables.by_ratio.size() - 2);
+  set(tables.by_ratio[first], &glass->energy_here, &glass->energy_beyond);
+  set(tables.by_ratio[first + 1], &glass->next_here, &glass->next_beyond);
+  glass->next_part = std::min(place - static_cast<float>(first), 1.0f);
 }
 
 FilmParams DielectricMaterial::FilmOf(const Tables& tables, const Medium& here,

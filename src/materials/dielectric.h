@@ -19,9 +19,9 @@ namespace candela {
 /// normal points away from.
 class DielectricMaterial final : public Material {
  public:
-  /// `indices` are those of other media that may lie on either side, and `energies` has the tables
-  /// of other materials; see `MaterialContext`.
-  DielectricMaterial(const Medium& medium, Roughness roughness, std::span<const float> indices = {},
+  /// `media` are others that may lie on either side, and `energies` has the tables of other
+  /// materials; see `MaterialContext`.
+  DielectricMaterial(const Medium& medium, Roughness roughness, std::span<const Medium> media = {},
                      std::optional<FilmInput> film = std::nullopt, EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
@@ -34,16 +34,27 @@ class DielectricMaterial final : public Material {
   bool IsPhysical() const override { return true; }
 
  private:
-  struct Tables {
-    float index_a, index_b;
-    /// Of a rough boundary, for light that comes from the one side and from the other; under a film
-    /// the middle one of three, as in `DielectricParams`.
+  /// Of a rough boundary, for light that comes from the one side and from the other; under a film
+  /// the middle one of three, as in `DielectricParams`.
+  struct Energies {
     std::shared_ptr<const EnergyTable> from_a, from_b;
+  };
+  struct Tables {
+    Medium a, b;
+    Energies yellow;
+    /// Where the ratio of the indices depends much on the wavelength: for ratios that are evenly
+    /// spaced from the least one on.
+    std::vector<Energies> by_ratio;
+    float least_ratio = 0, ratio_step = 0;
     std::optional<FilmTable> film;
   };
 
-  void AddTables(float index_a, float index_b, EnergyStore* energies);
+  void AddTables(const Medium& a, const Medium& b, EnergyStore* energies);
   void AddEnergy(Tables* tables, EnergyStore* energies) const;
+  void AddEnergyByRatio(Tables* tables, EnergyStore* energies) const;
+  const Tables* TablesOf(const Medium& here, const Medium& beyond) const;
+  static void SetEnergy(const Tables& tables, bool is_from_a, float wavelength,
+                        DielectricParams* glass);
   FilmParams FilmOf(const Tables& tables, const Medium& here, const Medium& beyond,
                     float wavelength, const SurfacePoint& point) const;
 

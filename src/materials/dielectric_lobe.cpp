@@ -55,34 +55,73 @@ float MeanOf(Rgb c) {
   return (c.x + c.y + c.z) / 3;
 }
 
+/// The energies of light from one side, between those of two indices where there are two.
+class SideEnergy {
+ public:
+  static SideEnergy Here(const DielectricParams& glass) {
+    return {glass.energy_here, glass.next_here, glass.next_part, glass.table_row};
+  }
+  static SideEnergy Beyond(const DielectricParams& glass) {
+    return {glass.energy_beyond, glass.next_beyond, glass.next_part, glass.table_row};
+  }
+
+  float At(float cosine) const {
+    return Blend([&](const EnergyTable& table) { return table.At(cosine, row_); });
+  }
+  float Mean() const {
+    return Blend([&](const EnergyTable& table) { return table.Mean(row_); });
+  }
+  float MissingPdf(float cosine) const {
+    return Blend([&](const EnergyTable& table) { return table.MissingPdf(cosine, row_); });
+  }
+  Vec3 SampleMissing(Vec2 u) const {
+    const bool is_next = part_ > 0 && SplitChoice(part_, &u.x);
+    return (is_next ? next_ : first_)->SampleMissing(row_, u);
+  }
+
+  /// How densely light that met several facets leaves over its cosine, as a part of what leaves on
+  /// this side.
+  float MultipleShape(float cosine) const {
+    const float missing = 1 - Mean();
+    return missing > 1e-7f ? (1 - At(cosine)) * kInvPi / missing : 0;
+  }
+
+ private:
+  SideEnergy(const EnergyTable* first, const EnergyTable* next, float part, float row)
+      : first_(first), next_(next), part_(part), row_(row) {}
+
+  template <class Value>
+  float Blend(const Value& value) const {
+    const float first = value(*first_);
+    return part_ == 0 ? first : first * (1 - part_) + value(*next_) * part_;
+  }
+
+  const EnergyTable *first_, *next_;
+  float part_, row_;
+};
+
 /// The share of the light on `wo` that is gone after one bounce.
 float SingleShare(const DielectricParams& glass, Vec3 wo) {
-  return glass.energy_here->At(wo.z, glass.table_row);
+  return SideEnergy::Here(glass).At(wo.z);
 }
 
 /// Of the light that has met several facets, the part that is reflected.
 float MultipleReflected(const DielectricParams& glass) {
-  const float here = 1 - glass.energy_here->Mean(glass.table_row);
-  const float beyond = 1 - glass.energy_beyond->Mean(glass.table_row);
+  const float here = 1 - SideEnergy::Here(glass).Mean();
+  const float beyond = 1 - SideEnergy::Beyond(glass).Mean();
   const float weight_beyond = glass.eta * glass.eta * beyond;
   const float sum = here + weight_beyond;
   return sum > 0 ? here / sum : 1;
-}
-
-/// How densely that light leaves to `w` over its cosine, as a part of what leaves on its side.
-float MultipleShape(const EnergyTable& energy, float row, float cosine) {
-  const float missing = 1 - energy.Mean(row);
-  return missing > 1e-7f ? (1 - energy.At(cosine, row)) * kInvPi / missing : 0;
 }
 
 float MultipleValue(const DielectricParams& glass, Vec3 wo, Vec3 wi) {
   const float missing = 1 - SingleShare(glass, wo);
   const float reflected = MultipleReflected(glass);
   if (wi.z > 0) {
-    return missing * reflected * MultipleShape(*glass.energy_here, glass.table_row, wi.z);
+    return missing * reflected * SideEnergy::Here(glass).MultipleShape(wi.z);
   }
   return missing * (1 - reflected) / (glass.eta * glass.eta) *
-         MultipleShape(*glass.energy_beyond, glass.table_row, -wi.z);
+         SideEnergy::Beyond(glass).MultipleShape(-wi.z);
 }
 
 /// What a pair of directions means for a rough boundary; `is_possible` is false where no facet
@@ -139,9 +178,8 @@ float SingleDensity(const DielectricParams& glass, const FacetPath& path, Vec3 w
 float DensityOf(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
   const float share = SingleShare(glass, wo);
   const float reflected = MultipleReflected(glass);
-  const float multiple =
-      wi.z > 0 ? reflected * glass.energy_here->MissingPdf(wi.z, glass.table_row)
-               : (1 - reflected) * glass.energy_beyond->MissingPdf(-wi.z, glass.table_row);
+  const float multiple = wi.z > 0 ? reflected * SideEnergy::Here(glass).MissingPdf(wi.z)
+                                  : (1 - reflected) * SideEnergy::Beyond(glass).MissingPdf(-wi.z);
   return share * SingleDensity(glass, path, wo, wi) + (1 - share) * multiple;
 }
 
@@ -268,8 +306,8 @@ LobeSample SampleDielectric(const Lobe& lobe, Vec3 wo, Vec2 u) {
     sample.wi = is_reflection ? Reflected(wo, m) : Refracted(wo, m, glass.eta, beyond);
   } else {
     is_reflection = SplitChoice(MultipleReflected(glass), &u.x);
-    const EnergyTable& energy = is_reflection ? *glass.energy_here : *glass.energy_beyond;
-    sample.wi = energy.SampleMissing(glass.table_row, u);
+    const SideEnergy side = is_reflection ? SideEnergy::Here(glass) : SideEnergy::Beyond(glass);
+    sample.wi = side.SampleMissing(u);
     if (!is_reflection) sample.wi.z = -sample.wi.z;
   }
   if (is_reflection ? !(sample.wi.z > 0) : !(sample.wi.z < 0)) return {};

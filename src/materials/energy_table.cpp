@@ -14,7 +14,6 @@ namespace {
 constexpr int kColumns = 32;
 constexpr float kNearestToHorizon = 1e-4f;
 constexpr int kRoughnessRows = 32;
-constexpr int kAzimuthRows = 17;
 constexpr int kIntervals = kColumns - 1;
 
 /// Where the integral over the facets that a direction sees is evaluated. The rings are crowded at
@@ -25,7 +24,15 @@ struct Points {
 constexpr int kStride = 7;  // Without a divisor in common with the turns.
 
 constexpr Points PointsFor(EnergyTable::Detail detail) {
-  return detail == EnergyTable::Detail::kEdge ? Points{48, 64} : Points{24, 32};
+  switch (detail) {
+    case EnergyTable::Detail::kSmooth:
+      return {24, 32};
+    case EnergyTable::Detail::kCoarse:
+      return {16, 20};
+    case EnergyTable::Detail::kEdge:
+      return {48, 64};
+  }
+  return {};
 }
 
 size_t CellOf(int row, int column) {
@@ -132,12 +139,13 @@ EnergyTable EnergyTable::OfAllRoughness(const Facet& facet, Detail detail) {
   return table;
 }
 
-EnergyTable EnergyTable::OfAnisotropic(const Ggx& surface, const Facet& facet) {
-  EnergyTable table(kAzimuthRows);
-  ParallelFor(kAzimuthRows, [&](int64_t row) {
-    const float quarters = static_cast<float>(row) / (kAzimuthRows - 1);
+EnergyTable EnergyTable::OfAnisotropic(const Ggx& surface, const Facet& facet, Detail detail,
+                                       int rows) {
+  EnergyTable table(rows);
+  ParallelFor(rows, [&](int64_t row) {
+    const float quarters = static_cast<float>(row) / static_cast<float>(rows - 1);
     table.FillRow(static_cast<int>(row), surface, static_cast<float>(kPi / 2) * quarters, facet,
-                  Detail::kSmooth);
+                  detail);
   });
   table.Summarise();
   // Light from everywhere comes from all azimuths.

@@ -18,7 +18,8 @@ class EnergyTable {
 
   /// How fast what a facet gives back changes with its normal.
   enum class Detail {
-    kSmooth,  ///< As of a mirror or a coat.
+    kSmooth,  ///< As of a mirror or a coat,
+    kCoarse,  ///< or of those, where there are many tables, within half a per cent.
     kEdge,    ///< As of glass, which reflects everything from some angle on.
   };
 
@@ -28,8 +29,13 @@ class EnergyTable {
   /// A row for each roughness from 0 to 1; see `RowOfRoughness`.
   static EnergyTable OfAllRoughness(const Facet& facet, Detail detail);
 
-  /// Rows for an anisotropic surface, by azimuth; see `RowOfAzimuth`.
-  static EnergyTable OfAnisotropic(const Ggx& surface, const Facet& facet);
+  /// Rows for an anisotropic surface, by azimuth; see `RowOfAzimuth`, whose rows are multiplied by
+  /// `AzimuthScale` where there are not as many as there are by default.
+  static EnergyTable OfAnisotropic(const Ggx& surface, const Facet& facet,
+                                   Detail detail = Detail::kSmooth, int rows = kAzimuthRows);
+  static constexpr float AzimuthScale(int rows) {
+    return static_cast<float>(rows - 1) / (kAzimuthRows - 1);
+  }
 
   /// The row that stands for a roughness, and for the azimuth of a direction.
   static float RowOfRoughness(float alpha);
@@ -56,6 +62,8 @@ class EnergyTable {
   float MissingPdf(float cosine, float row) const;
 
  private:
+  static constexpr int kAzimuthRows = 17;
+
   explicit EnergyTable(int rows);
   void FillRow(int row, const Ggx& surface, float azimuth, const Facet& facet, Detail detail);
   void Summarise();

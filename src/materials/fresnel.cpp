@@ -15,6 +15,8 @@ float ConductorReflectance(float cosine, float eta, float k) {
   const float t1 = a2_plus_b2 + cos2, t2 = 2 * a * cosine;
   const float s = (t1 - t2) / (t1 + t2);
   const float t3 = cos2 * a2_plus_b2 + sin2 * sin2, t4 = t2 * sin2;
+  // Both are 0 head-on to an index of 0, which reflects all light of any other angle.
+  if (!(t3 + t4 > 0)) return s;
   return 0.5f * (s + s * (t3 - t4) / (t3 + t4));
 }
 

@@ -66,6 +66,10 @@ struct DielectricParams {
   const EnergyTable *energy_here, *energy_beyond;
   float table_row;
   FilmParams film;
+  /// For one wavelength of glass that disperses much: what is between those tables and these, of
+  /// the next index that has some, `next_part` of the way. Else there are none, and that is 0.
+  const EnergyTable *next_here, *next_beyond;
+  float next_part;
 };
 
 struct PaneParams {
@@ -90,7 +94,8 @@ struct PrincipledParams {
   float coat;             ///< The share that is coated,
   float coat_alpha;       ///< the roughness of the coat,
   float sheen_roughness;  ///< and of the fuzz.
-  float row, coat_row;    ///< Of their tables.
+  float row, brushing;    ///< The `Place` of metal and dielectric in their tables.
+  float coat_row;         ///< Of the table of the coat.
   float sin_rotation;     ///< Of the brushing, in the frame, with the cosine that `layers` have.
   /// Multiplies what the layers above let through to the ground, and what is missing after one
   /// bounce on metal, of light from either direction.

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "materials/medium.h"
 #include "textures/texture_context.h"
 
 namespace candela {
@@ -18,9 +19,9 @@ struct MaterialContext : TextureContext {
   /// null when there is none, or when it could not be made, which has been reported.
   std::function<const Material*(std::string_view name, const SourceLocation& where)> find_material;
 
-  /// The refractive indices between any two of which a surface may lie, where the scene says what
-  /// fills objects; else none.
-  std::vector<float> indices;
+  /// The media between any two of which a surface may lie, where the scene says what fills objects;
+  /// else none. Of those that refract alike only one.
+  std::vector<Medium> media;
 
   /// Where materials find tables that others have made; null where each makes its own.
   std::shared_ptr<EnergyStore> energies = nullptr;

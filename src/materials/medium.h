@@ -24,6 +24,13 @@ struct Medium {
     return wavelength == 0 || dispersion.IsNone() ? ior : dispersion.At(wavelength);
   }
 
+  /// Whether both have the same index for all light.
+  bool RefractsAs(const Medium& other) const {
+    if (ior != other.ior) return false;
+    if (dispersion.IsNone() && other.dispersion.IsNone()) return true;
+    return dispersion.Key() == other.dispersion.Key();
+  }
+
   /// Media that have the same one are the same.
   auto Key() const {
     return std::tuple(ior, absorption.x, absorption.y, absorption.z, dispersion.Key());

@@ -34,13 +34,6 @@ Rgb MultipleColour(Rgb head_on, float mean_share) {
   return Over(kept, lost) * (kInvPi / std::max(1 - mean_share, 1e-7f));
 }
 
-/// Burley's ratio of the roughness along and across the brushing.
-Ggx Brushed(float alpha, float anisotropy) {
-  const float aspect = std::sqrt(1 - 0.9f * anisotropy);
-  return {std::min(std::max(alpha / aspect, kSmoothestAlpha), 1.0f),
-          std::max(alpha * aspect, kSmoothestAlpha)};
-}
-
 }  // namespace
 
 std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
@@ -67,28 +60,19 @@ std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
     params->Error(params->Where("ior"), "a 'principled' surface has an 'ior' above 1");
     inputs.ior = 1.5f;
   }
-  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.indices,
+  return std::make_unique<PrincipledMaterial>(std::move(inputs), context.media,
                                               context.energies.get());
 }
 
-PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const float> indices,
+PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const Medium> media,
                                        EnergyStore* energies)
-    : inputs_(std::move(inputs)), layers_(MakeLayers()) {
+    : inputs_(std::move(inputs)),
+      layers_(inputs_.ior, inputs_.roughness, inputs_.anisotropy, inputs_.rotation_degrees) {
   if (MayBeAbove0(inputs_.clearcoat)) layers_.AddCoat(inputs_.clearcoat_roughness);
   if (MayBeAbove0(inputs_.sheen)) layers_.AddSheen();
   if (MayBeAbove0(inputs_.transmission)) {
-    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, indices, std::nullopt, energies);
+    glass_.emplace(Medium{inputs_.ior, {}}, inputs_.roughness, media, std::nullopt, energies);
   }
-}
-
-PrincipledLayers PrincipledMaterial::MakeLayers() const {
-  const bool is_even = !inputs_.roughness.IsTextured() && !inputs_.anisotropy.IsTextured();
-  if (!is_even || !IsBrushed()) {
-    return {inputs_.ior, inputs_.roughness, inputs_.anisotropy.IsTextured(),
-            inputs_.rotation_degrees};
-  }
-  const Ggx brushed = Brushed(inputs_.roughness.AlphaAt({}), inputs_.anisotropy.value());
-  return {inputs_.ior, brushed, inputs_.rotation_degrees};
 }
 
 bool PrincipledMaterial::NeedsTextureCoordinates() const {
@@ -118,8 +102,11 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   PrincipledParams& params = lobe.principled;
   params.layers = &layers_;
   params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
-  params.surface = Brushed(inputs_.roughness.AlphaAt(point), inputs_.anisotropy.At(point));
-  params.row = layers_.RowOf(params.surface);
+  const float alpha = inputs_.roughness.AlphaAt(point), anisotropy = inputs_.anisotropy.At(point);
+  params.surface = Brushed(alpha, anisotropy);
+  const BaseEnergy::Place place = layers_.metal.PlaceOf(alpha, anisotropy);
+  params.row = place.row;
+  params.brushing = place.brushing;
   params.metallic = metallic;
   params.specular =
       Tinted(base_color, inputs_.specular_tint.At(point)) * inputs_.specular.At(point);
@@ -129,17 +116,16 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   params.coat_alpha = params.coat_row = 0;
   // Of light from everywhere what the coat reflects, and what more the dielectric below it does,
   // but for its colour.
-  float by_coat = 0, by_dielectric = layers_.dielectric.Mean(params.row);
+  float by_coat = 0, by_dielectric = layers_.dielectric.Mean(place);
   if (params.coat > 0) {
-    const float alpha = inputs_.clearcoat_roughness.AlphaAt(point);
-    params.coat_alpha = std::max(alpha, kSmoothestAlpha);
+    params.coat_alpha = std::max(inputs_.clearcoat_roughness.AlphaAt(point), kSmoothestAlpha);
     params.coat_row = inputs_.clearcoat_roughness.TableRow(params.coat_alpha);
     by_coat = params.coat * layers_.coat->Mean(params.coat_row);
-    by_dielectric -= params.coat * layers_.MeanProduct(params.row, params.coat_row);
+    by_dielectric -= params.coat * layers_.MeanProduct(place, params.coat_row);
   }
   const Rgb let_through = Rgb{1, 1, 1} * (1 - by_coat) - params.specular * by_dielectric;
   params.ground = Over(base_color * ((1 - metallic) * kInvPi), let_through);
-  params.multiple = MultipleColour(base_color, layers_.metal.Mean(params.row)) * metallic;
+  params.multiple = MultipleColour(base_color, layers_.metal.Mean(place)) * metallic;
   return lobe;
 }
 

@@ -32,8 +32,8 @@ class PrincipledMaterial final : public Material {
     NumberInput transmission = 0;
   };
 
-  /// `indices` are those of other media that may lie on either side; see `MaterialContext`.
-  explicit PrincipledMaterial(Inputs inputs, std::span<const float> indices = {},
+  /// `media` are others that may lie on either side; see `MaterialContext`.
+  explicit PrincipledMaterial(Inputs inputs, std::span<const Medium> media = {},
                               EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
@@ -49,7 +49,6 @@ class PrincipledMaterial final : public Material {
   static bool MayBeAbove0(const NumberInput& input) {
     return input.IsTextured() || input.value() > 0;
   }
-  PrincipledLayers MakeLayers() const;
   Lobe OpaqueLobe(const SurfacePoint& point, Rgb base_color, float metallic, bool is_outside) const;
 
   Inputs inputs_;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "materials/base_energy.h"
 #include "materials/energy_table.h"
 #include "materials/roughness.h"
 #include "materials/sheen_table.h"
@@ -16,37 +17,26 @@ class PrincipledLayers {
   /// The refractive index of the clear coat.
   static constexpr float kCoatIndex = 1.5f;
 
-  /// For a surface that is brushed the same everywhere.
-  PrincipledLayers(float ior, const Ggx& brushed, float rotation_degrees);
-  /// For all others. Where a texture says how it is brushed, the tables are those of a surface that
-  /// is in all directions as smooth as in its smoothest: some light is lost.
-  PrincipledLayers(float ior, const Roughness& roughness, bool is_brushing_textured,
+  PrincipledLayers(float ior, const Roughness& roughness, const NumberInput& anisotropy,
                    float rotation_degrees);
 
   /// What the parts below ask for; to be called before these are used.
   void AddCoat(const Roughness& roughness);
   void AddSheen() { sheen = &SheenTable::Get(); }
 
-  /// The row of the tables of the base that stands for its surface; brushed ones the same
-  /// everywhere have one for each direction.
-  float RowOf(const Ggx& at) const;
-  float RowOf(float row, Vec3 w) const {
-    return is_row_by_azimuth ? EnergyTable::NearRowOfAzimuth(w) : row;
-  }
-
   /// The mean, weighted by the cosine, of what the coat times the dielectric base below reflects.
-  float MeanProduct(float row, float coat_row) const;
+  float MeanProduct(const BaseEnergy::Place& at, float coat_row) const {
+    return dielectric.MeanOfProduct(mean_products_, at, coat_row);
+  }
 
   float eta;                         ///< The refractive index of the dielectric part.
   float cos_rotation, sin_rotation;  ///< Of the brushing, in the frame.
-  bool is_row_by_azimuth;
-  EnergyTable dielectric, metal;
+  BaseEnergy dielectric, metal;
   std::optional<EnergyTable> coat;
   const SheenTable* sheen = nullptr;
 
  private:
-  bool is_row_by_roughness_;
-  std::vector<float> mean_products_;  ///< Of each row of the base all rows of the coat.
+  std::vector<float> mean_products_;  ///< As `BaseEnergy` makes them.
 };
 
 }  // namespace candela

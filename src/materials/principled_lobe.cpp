@@ -27,6 +27,10 @@ Ggx CoatSurface(const PrincipledParams& params) {
   return {params.coat_alpha, params.coat_alpha};
 }
 
+BaseEnergy::Place PlaceOf(const PrincipledParams& params) {
+  return {params.row, params.brushing};
+}
+
 /// What the layers reflect of the light from a direction, each of what it gets. Layers that are not
 /// there reflect nothing.
 struct Shares {
@@ -41,9 +45,10 @@ Shares SharesAt(const PrincipledParams& params, const Vec3& w) {
     shares.sheen = largest * layers.sheen->At(w.z, params.sheen_roughness);
   }
   if (params.coat > 0) shares.coat = params.coat * layers.coat->At(w.z, params.coat_row);
-  const float row = layers.RowOf(params.row, w);
-  if (params.metallic < 1) shares.dielectric = layers.dielectric.At(w.z, row);
-  if (params.metallic > 0) shares.metal = layers.metal.At(w.z, row);
+  const BaseEnergy::Place place = PlaceOf(params);
+  const float row = layers.metal.RowOf(place, w);
+  if (params.metallic < 1) shares.dielectric = layers.dielectric.At(place, w.z, row);
+  if (params.metallic > 0) shares.metal = layers.metal.At(place, w.z, row);
   return shares;
 }
 
@@ -126,7 +131,7 @@ LobeValue ValueAndPdf(const Lobe& lobe, const Vec3& wo, const Shares& at_o, cons
     reflectance += MetalReflectance(lobe.weight, cosine) * m;
     const float missing = (1 - at_o.metal) * (1 - at_i.metal);
     value += Spectrum(params.multiple) * (missing * below_coat);
-    pdf += choices.multiple * layers.metal.MissingPdf(wi.z, params.row);
+    pdf += choices.multiple * layers.metal.MissingPdf(PlaceOf(params), wi.z);
   }
   const Mirrored base = MirroredBy(params.surface, wo, wi, facet);
   value += reflectance * (below_coat * base.value);
@@ -154,7 +159,9 @@ Vec3 Draw(const Lobe& lobe, const Choices& choices, const Vec3& wo, Vec2 u) {
     return is_it;
   };
   if (is_chosen(choices.sheen)) return SampleUniformHemisphere(u);
-  if (is_chosen(choices.multiple)) return params.layers->metal.SampleMissing(params.row, u);
+  if (is_chosen(choices.multiple)) {
+    return params.layers->metal.SampleMissing(PlaceOf(params), u);
+  }
   const bool is_coat = is_chosen(choices.coat);
   // The last one takes what rounding has left.
   if (is_coat || choices.ground == 0 || is_chosen(choices.mirrored)) {

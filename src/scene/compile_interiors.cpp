@@ -32,16 +32,18 @@ class InteriorCompiler {
     CompiledInteriors interiors;
     for (size_t i = 0; i < spec_.nodes.size(); ++i) {
       interiors.of_node.push_back(spec_.nodes[i].interior ? InteriorOf(i) : std::nullopt);
-      if (interiors.of_node.back()) Add(interiors.of_node.back()->medium.ior, &interiors.indices);
+      if (interiors.of_node.back()) Add(interiors.of_node.back()->medium, &interiors.media);
     }
-    if (!interiors.indices.empty()) Add(1, &interiors.indices);
+    if (!interiors.media.empty()) Add(kAir, &interiors.media);
     return interiors;
   }
 
  private:
-  static void Add(float index, std::vector<float>* indices) {
-    const bool is_there = std::find(indices->begin(), indices->end(), index) != indices->end();
-    if (!is_there) indices->push_back(index);
+  static void Add(const Medium& medium, std::vector<Medium>* media) {
+    const bool is_there = std::any_of(media->begin(), media->end(), [&](const Medium& other) {
+      return other.RefractsAs(medium);
+    });
+    if (!is_there) media->push_back(medium);
   }
 
   std::optional<Interior> InteriorOf(size_t index) {

@@ -13,9 +13,9 @@ namespace candela {
 struct CompiledInteriors {
   /// By node. Nothing where the scene says nothing, or something wrong, which is reported.
   std::vector<std::optional<Interior>> of_node;
-  /// The refractive indices that may meet at a surface, that of air among them; none when no object
-  /// is filled.
-  std::vector<float> indices;
+  /// What may meet at a surface, air among it; of media that refract alike only one. None when no
+  /// object is filled.
+  std::vector<Medium> media;
 };
 
 /// `resolved`, where it is not null, is a copy of the description that gets all parameters.

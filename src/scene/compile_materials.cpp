@@ -20,7 +20,7 @@ constexpr size_t kMostSuggested = 1000;
 
 }  // namespace
 
-MaterialCompiler::MaterialCompiler(const SceneSpec& spec, std::vector<float> indices,
+MaterialCompiler::MaterialCompiler(const SceneSpec& spec, std::vector<Medium> media,
                                    Diagnostics* diagnostics, SceneSpec* resolved)
     : spec_(spec),
       diagnostics_(*diagnostics),
@@ -33,7 +33,7 @@ MaterialCompiler::MaterialCompiler(const SceneSpec& spec, std::vector<float> ind
                [this](std::string_view name, const SourceLocation& where) {
                  return PartNamed(name, where);
                },
-               std::move(indices),
+               std::move(media),
                std::make_shared<EnergyStore>()} {
   CompileTextures();
   CompileMaterials();

@@ -29,9 +29,9 @@ struct CompiledMaterials {
 /// them by name and by index.
 class MaterialCompiler {
  public:
-  /// `indices` are those of `CompiledInteriors`. `resolved`, where it is not null, is a copy of the
+  /// `media` are those of `CompiledInteriors`. `resolved`, where it is not null, is a copy of the
   /// description that gets all parameters. All of them have to outlive the compiler.
-  MaterialCompiler(const SceneSpec& spec, std::vector<float> indices, Diagnostics* diagnostics,
+  MaterialCompiler(const SceneSpec& spec, std::vector<Medium> media, Diagnostics* diagnostics,
                    SceneSpec* resolved);
 
   MaterialCompiler(const MaterialCompiler&) = delete;

@@ -43,7 +43,7 @@ class SceneCompiler {
     scene_->is_moving_ = scene_->camera_ && scene_->camera_->IsMoving();
     CompileBackground();
     node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
-    materials_.emplace(spec_, node_interiors_.indices, &diagnostics_, resolved_);
+    materials_.emplace(spec_, node_interiors_.media, &diagnostics_, resolved_);
     CompileNodes();
     if (sun_) AddLight(std::move(sun_), "directional", spec_.file);
     if (diagnostics_.HasErrors()) return nullptr;

@@ -1,8 +1,10 @@
 #include "lights/projector_light.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
 
 #include "math/elementary.h"
 #include "tests/support/compile_text.h"
@@ -93,6 +95,57 @@ TEST(ProjectorLight, IsMadeByScenes) {
   EXPECT_FALSE(light.SampleIncident({9.9f, 0, 4.9f}).radiance.IsBlack());
   EXPECT_TRUE(light.SampleIncident({10.1f, 0, 0}).radiance.IsBlack());
   EXPECT_TRUE(light.SampleIncident({0, 0, 5.1f}).radiance.IsBlack());
+}
+
+// A mirrored node shows the mirrored picture: left and right change places, as those of the node
+// do.
+TEST(ProjectorLight, IsMirroredWithItsNode) {
+  const auto left_is_red = [](const std::string& transform) {
+    const auto scene = testing_support::CompileText(fmt::format(
+        "{}Textures {{ Texture {{ name slide type checker even 1 0 0 odd 0 1 0 scale 2 1 }} }}\n"
+        "Scene {{ Node {{ Transform {{ {} }}\n"
+        "Component<Light> {{ type projector image texture slide direction 0 0 -1 up 0 1 0 fov 90\n"
+        "attenuation 0.04 }} }} }}",
+        testing_support::kCamera, transform));
+    const Rgb left = scene->lights()[0]->SampleIncident({-0.3f, 0, -1}).radiance.ToRgb();
+    const Rgb right = scene->lights()[0]->SampleIncident({0.3f, 0, -1}).radiance.ToRgb();
+    EXPECT_EQ(left.x == 0, left.y > 0) << transform;
+    EXPECT_NE(left.x > 0, right.x > 0) << transform;
+    return left.x > 0;
+  };
+  EXPECT_TRUE(left_is_red("scale 1 1 1"));
+  EXPECT_FALSE(left_is_red("scale -1 1 1"));
+  // What is up follows the node anyway; here it goes down, and red stays on the left.
+  EXPECT_TRUE(left_is_red("scale 1 -1 1"));
+  EXPECT_FALSE(left_is_red("scale -1 -1 1"));
+}
+
+/// White; counts how often it is asked.
+class Counted final : public Texture {
+ public:
+  explicit Counted(int* lookups) : lookups_(lookups) {}
+  Rgb Lookup(const SurfacePoint&) const override {
+    ++*lookups_;
+    return {1, 1, 1};
+  }
+
+ private:
+  int* lookups_;
+};
+
+TEST(ProjectorLight, LooksAtItsPictureWhenThePowerIsAskedFor) {
+  int lookups = 0;
+  const Rgb most{1, 1, 1};
+  const ProjectorLight projector({}, {{0, 0, -1}, {0, 1, 0}, {1, 1}},
+                                 ColorInput(std::make_shared<const Counted>(&lookups), {}, most),
+                                 {1, 1, 1}, 1);
+  EXPECT_FALSE(projector.SampleIncident({0, 0, -1}).radiance.IsBlack());
+  EXPECT_EQ(lookups, 1);
+  EXPECT_NEAR(projector.Power({}), 4, 1e-5f);
+  const int all = lookups;
+  EXPECT_GT(all, 1000);
+  EXPECT_NEAR(projector.Power({}), 4, 1e-5f);
+  EXPECT_EQ(lookups, all);
 }
 
 }  // namespace

@@ -99,5 +99,15 @@ TEST(Pane, WithoutAbsorptionLosesNothing) {
   }
 }
 
+// A complex index of 0 lets nothing in: all is reflected, head-on too.
+TEST(ConductorReflectance, OfAnIndexOfZeroIsWhole) {
+  for (const float cosine : {0.0f, 0.3f, 0.9999f, 1.0f}) {
+    EXPECT_EQ(ConductorReflectance(cosine, {0, 0, 0}, {0, 0, 0}), (Rgb{1, 1, 1})) << cosine;
+    const Rgb one = ConductorReflectance(cosine, {0, 1.5f, 0.2f}, {0, 2, 3});
+    EXPECT_EQ(one.x, 1);
+    EXPECT_TRUE(IsFinite(one)) << cosine;
+  }
+}
+
 }  // namespace
 }  // namespace candela

@@ -211,6 +211,11 @@ Result<void> RenderCommand::CheckAbilities() const {
   if (!request_.render.layers.IsEmpty() && !integrator.has_layers) {
     return UsageError(fmt::format("--aov: the integrator '{}' has no layers", integrator.name));
   }
+  if (request_.render.layers.Has(Layer::kLightGroups) && !integrator.has_light_groups) {
+    return UsageError(fmt::format(
+        "--aov light_groups: the integrator '{}' does not tell the light of groups apart",
+        integrator.name));
+  }
   if (request_.checkpoint && integrator.has_light_paths) {
     return UsageError(
         fmt::format("--checkpoint: what '{}' has done cannot be kept", integrator.name));

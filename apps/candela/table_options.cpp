@@ -106,7 +106,7 @@ ArgValue LayerNames(LayerSet* target) {
       const auto index = static_cast<size_t>(found - names.begin());
       const bool is_all = index == kLayerCount;
       for (size_t i = is_all ? 0 : index; i < (is_all ? kLayerCount : index + 1); ++i) {
-        layers.Add(static_cast<Layer>(i));
+        if (!is_all || !Layers()[i].is_of_groups) layers.Add(static_cast<Layer>(i));
       }
       if (word.size() == text.size()) break;
       text.remove_prefix(word.size() + 1);
@@ -118,8 +118,10 @@ ArgValue LayerNames(LayerSet* target) {
 }
 
 std::string LayerSummaries() {
-  return Summaries("layers in the .exr file beside the colours, separated by commas, or all",
-                   Layers());
+  return Summaries(
+      "layers in the .exr file beside the colours, separated by commas, or all of them but "
+      "light_groups",
+      Layers());
 }
 
 }  // namespace candela

@@ -145,10 +145,19 @@ class RenderRun {
     return {};
   }
 
+  /// With what the scene alone knows.
+  RenderOptions OptionsForScene() const {
+    RenderOptions options = request_.render;
+    if (options.layers.Has(Layer::kLightGroups)) {
+      options.light_groups = loaded_->scene->light_groups();
+    }
+    return options;
+  }
+
   Result<void> CheckMemory(const Integrator& integrator) const {
     // Where the picture alone is too much the rest does not matter.
     const uint64_t picture =
-        EstimateMemory(request_.render, integrator, request_.normals || request_.depth,
+        EstimateMemory(OptionsForScene(), integrator, request_.normals || request_.depth,
                        request_.checkpoint.has_value());
     const uint64_t lens =
         request_.output_options.lens.BytesPerPixel() * request_.render.crop.PixelCount();
@@ -178,7 +187,7 @@ class RenderRun {
   }
 
   Result<void> RenderImage(const Integrator& integrator) {
-    const RenderOptions& render = request_.render;
+    const RenderOptions render = OptionsForScene();
     const bool keeps_sums = request_.checkpoint || (render.time_limit && !render.noise_target);
     RenderJob job(integrator, render, keeps_sums ? Film::Keep::kSums : Film::Keep::kColours);
     EncodeOptions encoding = Encoding();

@@ -30,9 +30,13 @@ Result<std::string> EncodeLayers(const Film& film, const float* colours,
     if (!film.RecordedLayers().Has(layer)) continue;
     const LayerEntry& entry = EntryOf(layer);
     const uint32_t* words = film.LayerWords(layer).data();
-    for (const char channel : entry.channels) {
-      channels.push_back({std::string(entry.name) + "." + channel, entry.is_whole, words++,
-                          static_cast<int>(entry.channels.size())});
+    const std::vector<std::string> names = film.NamesOf(layer);
+    const size_t stride = names.size() * entry.channels.size();
+    for (const std::string& name : names) {
+      for (const char channel : entry.channels) {
+        channels.push_back(
+            {name + "." + channel, entry.is_whole, words++, static_cast<int>(stride)});
+      }
     }
   }
   return EncodeExr(window.Width(), window.Height(), channels, options.attributes);

@@ -30,6 +30,12 @@ bool FilmTile::Add(int x, int y, Rgb radiance, float weight) {
   return true;
 }
 
+void FilmTile::AddLightGroups(int x, int y, std::span<const Rgb> lights, float weight) {
+  DCHECK(lights.size() == group_count_);
+  Vec3d* sums = light_groups_.data() + group_count_ * IndexOf(x, y);
+  for (const Rgb& light : lights) *sums++ += UsableInLayers(light * weight);
+}
+
 namespace {
 
 /// The mean without the largest quarter.
@@ -76,24 +82,32 @@ PixelPart FilmTile::PartAt(int x, int y) const {
   const size_t index = IndexOf(x, y);
   return {&sums_[index], spreads_.empty() ? nullptr : &spreads_[index],
           layers_.empty() ? nullptr : &layers_[index],
-          shared_variance_.empty() ? Vec3d() : shared_variance_[index]};
+          shared_variance_.empty() ? Vec3d() : shared_variance_[index],
+          std::span(light_groups_).subspan(group_count_ * index, group_count_)};
 }
 
-Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers)
+Film::Film(PixelWindow window, Keep keep, Negative negative, LayerSet layers,
+           std::span<const std::string> light_groups)
     : window_(window),
       takes_negative_(negative == Negative::kTake),
       recorded_(layers),
       colours_(3 * window.PixelCount()) {
   CHECK(window.x0 < window.x1 && window.y0 < window.y1);
+  if (layers.Has(Layer::kLightGroups)) {
+    CHECK(!light_groups.empty());
+    light_groups_.assign(light_groups.begin(), light_groups.end());
+  }
   for (size_t i = 0; i < kLayerCount; ++i) {
     if (!layers.Has(static_cast<Layer>(i))) continue;
-    layer_words_[i] = ZeroedArray<uint32_t>(Layers()[i].channels.size() * window.PixelCount());
+    layer_words_[i] = ZeroedArray<uint32_t>(ChannelCount(i) * window.PixelCount());
   }
   if (keep == Keep::kColours) return;
   sums_ = ZeroedArray<PixelSums>(window.PixelCount());
   if (layers.IsEmpty()) return;
   spreads_ = ZeroedArray<PixelSpread>(window.PixelCount());
   layers_ = ZeroedArray<PixelLayers>(window.PixelCount());
+  if (light_groups_.empty()) return;
+  group_sums_ = ZeroedArray<Vec3d>(light_groups_.size() * window.PixelCount());
 }
 
 void Film::ClearTile(const PixelWindow& window, bool with_spread, FilmTile* tile) const {
@@ -104,6 +118,8 @@ void Film::ClearTile(const PixelWindow& window, bool with_spread, FilmTile* tile
   tile->spreads_.assign(with_spread ? count : 0, PixelSpread());
   tile->shared_variance_.clear();
   tile->layers_.assign(recorded_.IsEmpty() ? 0 : count, PixelLayers());
+  tile->group_count_ = light_groups_.size();
+  tile->light_groups_.assign(light_groups_.size() * count, Vec3d());
 }
 
 void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
@@ -117,6 +133,9 @@ void Film::BeginTile(const PixelWindow& window, FilmTile* tile) const {
     if (!layers_) continue;
     std::copy_n(&spreads_[from], width, &tile->spreads_[to]);
     std::copy_n(&layers_[from], width, &tile->layers_[to]);
+    if (!group_sums_) continue;
+    const size_t groups = light_groups_.size();
+    std::copy_n(&group_sums_[groups * from], groups * width, &tile->light_groups_[groups * to]);
   }
 }
 
@@ -136,6 +155,8 @@ void Film::EndTile(const FilmTile& tile) {
       if (!layers_) continue;
       spreads_[index] = *part.spread;
       layers_[index] = *part.layers;
+      if (!group_sums_) continue;
+      std::ranges::copy(part.light_groups, &group_sums_[light_groups_.size() * index]);
     }
   }
 }
@@ -166,8 +187,7 @@ void Film::Develop(size_t index, const PixelEstimate& pixel) {
   SetColour(index, pixel.Colour());
   for (size_t i = 0; i < kLayerCount; ++i) {
     if (!layer_words_[i]) continue;
-    const LayerEntry& entry = Layers()[i];
-    entry.develop(pixel, &layer_words_[i][entry.channels.size() * index]);
+    Layers()[i].develop(pixel, &layer_words_[i][ChannelCount(i) * index]);
   }
 }
 
@@ -214,7 +234,21 @@ Rgb Film::Pixel(int x, int y) const {
 std::span<const uint32_t> Film::LayerWords(Layer layer) const {
   const auto i = static_cast<size_t>(layer);
   CHECK(layer_words_[i]);
-  return {&layer_words_[i][0], Layers()[i].channels.size() * window_.PixelCount()};
+  return {&layer_words_[i][0], ChannelCount(i) * window_.PixelCount()};
+}
+
+std::vector<std::string> Film::NamesOf(Layer layer) const {
+  const LayerEntry& entry = EntryOf(layer);
+  if (!entry.is_of_groups) return {std::string(entry.name)};
+  std::vector<std::string> names;
+  for (const std::string& group : light_groups_) names.push_back("light_group_" + group);
+  return names;
+}
+
+/// Of a pixel.
+size_t Film::ChannelCount(size_t layer) const {
+  const LayerEntry& entry = Layers()[layer];
+  return entry.channels.size() * (entry.is_of_groups ? light_groups_.size() : 1);
 }
 
 std::span<const float> Film::Row(int y) const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/check.h"
@@ -74,6 +75,9 @@ class FilmTile {
     layers_[IndexOf(x, y)].Add(sample, weight);
   }
 
+  /// The same of its light by the groups of lights, as many as the film has.
+  void AddLightGroups(int x, int y, std::span<const Rgb> lights, float weight);
+
   /// What layers say of a pixel apart from its light; there have to be some.
   PixelLayers& LayersAt(int x, int y) { return layers_[IndexOf(x, y)]; }
 
@@ -100,6 +104,8 @@ class FilmTile {
   std::vector<PixelSpread> spreads_;    ///< Empty when nobody asks how far colours may be off.
   std::vector<Vec3d> shared_variance_;  ///< Empty before `ShareVariance`.
   std::vector<PixelLayers> layers_;     ///< Empty for a film without layers.
+  size_t group_count_ = 0;              ///< Of groups of lights that have layers.
+  std::vector<Vec3d> light_groups_;     ///< So many for each pixel.
   bool takes_negative_ = true;
 };
 
@@ -116,14 +122,17 @@ class Film {
  public:
   enum class Keep {
     kColours,  ///< 12 bytes per pixel; each pixel gets all its samples in one tile
-    kSums,     ///< 76 bytes per pixel, with layers 400; tiles may come again with more samples
+    kSums,     ///< 76 bytes per pixel, with layers 400 and 24 for each group of lights;
+               ///< tiles may come again with more samples
   };
   enum class Negative {
     kTake,  ///< The course's model knows lights that take away.
     kDrop,  ///< Where light is what it is, a negative sample is a mistake.
   };
 
-  Film(PixelWindow window, Keep keep, Negative negative = Negative::kTake, LayerSet layers = {});
+  /// `light_groups` are the names of the groups of lights, for `Layer::kLightGroups`.
+  Film(PixelWindow window, Keep keep, Negative negative = Negative::kTake, LayerSet layers = {},
+       std::span<const std::string> light_groups = {});
 
   const PixelWindow& Window() const { return window_; }
 
@@ -164,22 +173,28 @@ class Film {
 
   LayerSet RecordedLayers() const { return recorded_; }
 
+  /// What a file calls the layers of a row of the table: one, or one for each group of lights.
+  std::vector<std::string> NamesOf(Layer layer) const;
+
   /// The values of a layer that is recorded, as `LayerEntry::develop` gives them, row after row.
   std::span<const uint32_t> LayerWords(Layer layer) const;
 
  private:
   size_t IndexOf(int x, int y) const { return window_.IndexOf(x, y); }
   void ClearTile(const PixelWindow& window, bool with_spread, FilmTile* tile) const;
+  size_t ChannelCount(size_t layer) const;
   void SetColour(size_t index, Rgb colour);
   void Develop(size_t index, const PixelEstimate& pixel);
 
   PixelWindow window_;
   bool takes_negative_;
   LayerSet recorded_;
+  std::vector<std::string> light_groups_;  ///< Empty when they are not recorded.
   ZeroedArray<float> colours_;
   ZeroedArray<PixelSums> sums_;       ///< null for `Keep::kColours`
   ZeroedArray<PixelSpread> spreads_;  ///< and these without layers too
   ZeroedArray<PixelLayers> layers_;
+  ZeroedArray<Vec3d> group_sums_;                               ///< As in `FilmTile`.
   std::array<ZeroedArray<uint32_t>, kLayerCount> layer_words_;  ///< null for those not recorded
 };
 

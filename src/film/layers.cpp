@@ -14,19 +14,9 @@ namespace {
 // shown. Infinity spoils every filter that it gets into.
 constexpr float kDepthOfNothing = 1e10f;
 
-/// What is recorded may be infinite or no number where the radiance is neither: a colour of 0 can
-/// hide it. Then it counts as the largest term of the colours, or as nothing.
-Vec3d Usable(Rgb value) {
-  const auto usable = [](float x) {
-    const float limited = std::clamp(x, -ExactSum::kLargestTerm, ExactSum::kLargestTerm);
-    return double{limited == limited ? limited : 0};
-  };
-  return {usable(value.x), usable(value.y), usable(value.z)};
-}
-
 /// The mean light of the pixel that was scattered so often.
 Rgb MeanLight(const PixelEstimate& pixel, size_t times_scattered) {
-  return pixel.Mean([=](const PixelLayers& layers) { return layers.Light(times_scattered); });
+  return pixel.Mean([=](const PixelPart& part) { return part.layers->Light(times_scattered); });
 }
 
 void Put(Vec3 value, uint32_t* words) {
@@ -55,7 +45,7 @@ constexpr LayerEntry kLayers[] = {
      }},
     {"albedo", "RGB", false, "part of white light that the surface gives back",
      [](const PixelEstimate& pixel, uint32_t* words) {
-       Put(pixel.Mean([](const PixelLayers& layers) { return layers.Albedo(); }), words);
+       Put(pixel.Mean([](const PixelPart& part) { return part.layers->Albedo(); }), words);
      }},
     {"uv", "UV", false, "texture coordinates",
      [](const PixelEstimate& pixel, uint32_t* words) {
@@ -80,9 +70,25 @@ constexpr LayerEntry kLayers[] = {
      [](const PixelEstimate& pixel, uint32_t* words) { *words = pixel.SampleCount(); }},
     {"standard_error", "RGB", false, "standard error of the colour",
      [](const PixelEstimate& pixel, uint32_t* words) { Put(pixel.StandardError(), words); }},
+    {"light_groups", "RGB", false, "the light of each group of lights (path and direct)",
+     [](const PixelEstimate& pixel, uint32_t* words) {
+       for (size_t i = 0; i < pixel.LightGroupCount(); ++i) {
+         Put(pixel.Mean([=](const PixelPart& part) { return part.light_groups[i]; }),
+             words + 3 * i);
+       }
+     },
+     true},
 };
 
 }  // namespace
+
+Vec3d UsableInLayers(Rgb value) {
+  const auto usable = [](float x) {
+    const float limited = std::clamp(x, -ExactSum::kLargestTerm, ExactSum::kLargestTerm);
+    return double{limited == limited ? limited : 0};
+  };
+  return {usable(value.x), usable(value.y), usable(value.z)};
+}
 
 std::span<const LayerEntry, kLayerCount> Layers() {
   return kLayers;
@@ -104,8 +110,8 @@ bool PixelLayers::IsNearerThan(const PixelLayers& other) const {
 }
 
 void PixelLayers::Add(const SampleLayers& sample, float weight) {
-  albedo_ += Usable(sample.albedo * weight);
-  for (size_t i = 0; i < light_.size(); ++i) light_[i] += Usable(sample.light[i] * weight);
+  albedo_ += UsableInLayers(sample.albedo * weight);
+  for (size_t i = 0; i < light_.size(); ++i) light_[i] += UsableInLayers(sample.light[i] * weight);
 }
 
 }  // namespace candela

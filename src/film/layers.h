@@ -29,8 +29,9 @@ enum class Layer : uint8_t {
   kEmission,
   kSampleCount,
   kStandardError,
+  kLightGroups,
 };
-inline constexpr size_t kLayerCount = 13;
+inline constexpr size_t kLayerCount = 14;
 
 /// A set of layers.
 class LayerSet {
@@ -82,6 +83,10 @@ class PixelLayers {
   bool has_nearest_ = false;
 };
 
+/// What is recorded may be infinite or no number where the radiance is neither: a colour of 0 can
+/// hide it. Then it counts as the largest term of the colours, or as nothing.
+Vec3d UsableInLayers(Rgb value);
+
 /// A row of the table of layers.
 struct LayerEntry {
   std::string_view name;      ///< Of the layer in the command line and in the file.
@@ -91,6 +96,9 @@ struct LayerEntry {
   /// Stores the values of a pixel, one 32-bit word for each channel as a file holds it: the bits of
   /// a float, or a whole number.
   void (*develop)(const PixelEstimate& pixel, uint32_t* words);
+  /// As many layers as the scene has groups of lights, one behind the other. Not every integrator
+  /// has them.
+  bool is_of_groups = false;
 };
 
 /// All layers; the index of a row is the number of its `Layer`.

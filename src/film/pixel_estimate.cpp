@@ -11,6 +11,7 @@ namespace candela {
 PixelEstimate::PixelEstimate(std::span<const PixelPart> parts) : parts_{} {
   CHECK(parts.size() <= parts_.size());
   for (const PixelPart& part : parts) {
+    light_groups_ = part.light_groups.size();
     if (part.spread) samples_ += part.spread->SampleCount();
     if (part.layers && (!nearest_ || part.layers->IsNearerThan(*nearest_))) nearest_ = part.layers;
     if (part.sums->weight.ToDouble() != 0) parts_[count_++] = part;

@@ -16,6 +16,8 @@ struct PixelPart {
   const PixelSpread* spread;  ///< Null where nobody asks how far the colour may be off.
   const PixelLayers* layers;  ///< Null for a film without layers.
   Vec3d least_variance = {};  ///< What neighbours say of that of the mean.
+  /// The weighted sums of the light of each group of lights; empty where nobody asks for them.
+  std::span<const Vec3d> light_groups = {};
 };
 
 /// What a pixel's samples say of it: one series of them, or the mean of several that know nothing
@@ -32,11 +34,12 @@ class PixelEstimate {
   uint32_t SampleCount() const;
   /// What was collected nearest to the middle of the pixel; there have to be layers.
   const PixelLayers& Nearest() const;
-  /// The mean of a weighted sum that each part's layers hold.
+  size_t LightGroupCount() const { return light_groups_; }
+  /// The mean of a weighted sum that each part with layers holds.
   template <class Sum>
   Rgb Mean(Sum sum_of) const {
     Vec3d mean;
-    for (const PixelPart& part : Parts()) mean += Divide(sum_of(*part.layers), *part.sums);
+    for (const PixelPart& part : Parts()) mean += Divide(sum_of(part), *part.sums);
     return Average(mean);
   }
 
@@ -49,6 +52,7 @@ class PixelEstimate {
   size_t count_ = 0;
   const PixelLayers* nearest_ = nullptr;
   uint32_t samples_ = 0;
+  size_t light_groups_ = 0;
 };
 
 }  // namespace candela

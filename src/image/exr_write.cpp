@@ -36,8 +36,15 @@ struct Source {
 
 exr_result_t WriteHeader(exr_context_t context, const Source& source,
                          std::span<const ExrAttribute> attributes) {
+  // Said in the header, so only where it is needed: old readers do not know such files.
+  constexpr size_t kShortName = 31;
+  const bool has_long_names = std::ranges::any_of(
+      source.channels, [](const ExrChannel& channel) { return channel.name.size() > kShortName; });
+  exr_result_t code = exr_set_longname_support(context, has_long_names ? 1 : 0);
   int part = 0;
-  exr_result_t code = exr_add_part(context, nullptr, EXR_STORAGE_SCANLINE, &part);
+  if (code == EXR_ERR_SUCCESS) {
+    code = exr_add_part(context, nullptr, EXR_STORAGE_SCANLINE, &part);
+  }
   if (code == EXR_ERR_SUCCESS) {
     code = exr_initialize_required_attr_simple(context, part, source.width, source.height,
                                                EXR_COMPRESSION_ZIP);

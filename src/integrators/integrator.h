@@ -49,6 +49,10 @@ struct SampleOutput {
   bool needs_uv = false;                ///< Texture coordinates count, even without a texture.
   /// By sample, whether `SampleLayers::surface` is asked for; empty where it is of all.
   std::span<const uint8_t> wants_surface = {};
+  /// The light of each group of lights of the scene, sample after sample: all of it is the
+  /// radiance, but for rounding. Empty when nobody asks for it.
+  std::span<Rgb> group_light = {};
+  size_t group_count = 0;  ///< Of each sample.
 
   bool HasLayers() const { return !layers.empty(); }
   bool WantsSurface(size_t sample) const {
@@ -58,20 +62,29 @@ struct SampleOutput {
   /// What belongs to `count` samples from the sample `begin` on.
   SampleOutput Part(size_t begin, size_t count) const {
     return {radiance.subspan(begin, count),
-            HasLayers() ? layers.subspan(begin, count) : std::span<SampleLayers>(), needs_uv,
-            wants_surface.empty() ? wants_surface : wants_surface.subspan(begin, count)};
+            HasLayers() ? layers.subspan(begin, count) : std::span<SampleLayers>(),
+            needs_uv,
+            wants_surface.empty() ? wants_surface : wants_surface.subspan(begin, count),
+            group_light.subspan(group_count * begin, group_count * count),
+            group_count};
   }
 
   /// Begins with a sample that has seen nothing yet.
   void Clear(size_t sample) const {
     radiance[sample] = Spectrum();
     if (HasLayers()) layers[sample] = SampleLayers();
+    for (Rgb& light : group_light.subspan(group_count * sample, group_count)) light = Rgb();
   }
 
   /// Adds light that surfaces have scattered so often.
   void Add(size_t sample, uint32_t times_scattered, const Spectrum& light) const {
     radiance[sample] += light;
     if (HasLayers()) layers[sample].AddLight(times_scattered, light.ToRgb());
+  }
+
+  /// Says in addition which group of lights it comes from.
+  void AddToGroup(size_t sample, uint32_t group, const Spectrum& light) const {
+    if (group_count > 0) group_light[group_count * sample + group] += light.ToRgb();
   }
 };
 

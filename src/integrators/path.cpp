@@ -28,7 +28,7 @@ constexpr uint32_t kUncertainAfter = 4;
 struct PathIntegrator::Batch final : Workspace {
   /// What comes from a sampled light if nothing is in the way.
   struct Contribution {
-    uint32_t sample, times_scattered;
+    uint32_t sample, times_scattered, group;
     Spectrum value;
   };
 
@@ -133,8 +133,11 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     const HitRecord& hit = paths.hits()[i];
     PathState& path = paths.states()[i];
     if (!hit.IsHit()) {
-      Spectrum light = lights_.FromSky(path, ray.direction);
-      light *= EndlessTransmittance(path.media.Absorption(scene_.interiors()));
+      const Spectrum left_of_it = EndlessTransmittance(path.media.Absorption(scene_.interiors()));
+      const auto add_to_group = [&](uint32_t group, const Spectrum& part) {
+        output.AddToGroup(path.sample, group, path.throughput * (part * left_of_it));
+      };
+      const Spectrum light = lights_.FromSky(path, ray.direction, add_to_group) * left_of_it;
       output.Add(path.sample, path.bounces.all, path.throughput * light);
       continue;
     }
@@ -146,9 +149,10 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     vertex.point.footprint = path.cone.width;
     const SceneObject& object = scene_.objects()[hit.object];
     if (object.light != SceneObject::kNoLight) {
-      output.Add(
-          path.sample, path.bounces.all,
-          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light));
+      const Spectrum light =
+          path.throughput * lights_.FromSurface(path, vertex.point, vertex.wo, object.light);
+      output.Add(path.sample, path.bounces.all, light);
+      output.AddToGroup(path.sample, scene_.GroupOfLight(object.light), light);
     }
     if (object.interior != SceneObject::kNoInterior &&
         !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {
@@ -220,8 +224,8 @@ void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const Pat
   ray.t_max = sample.distance;
   ray.mask = kShadowRay;
   batch->shadow_rays.push_back(ray);
-  batch->contributions.push_back(
-      {path.sample, path.bounces.all + 1, path.throughput * scattered.value * arriving});
+  batch->contributions.push_back({path.sample, path.bounces.all + 1, draw.group,
+                                  path.throughput * scattered.value * arriving});
 }
 
 void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) const {
@@ -230,9 +234,10 @@ void PathIntegrator::AddSampledLight(Batch* batch, const SampleOutput& output) c
   scene_.Occluded(RayOrder::kScattered, batch->shadow_rays, FirstOf(&batch->is_shadowed, count));
   for (size_t i = 0; i < count; ++i) {
     if (batch->is_shadowed[i]) continue;
-    const auto& [sample, times_scattered, value] = batch->contributions[i];
+    const auto& [sample, times_scattered, group, value] = batch->contributions[i];
     const float left = scene_.HasHoles() ? scene_.Transparency(batch->shadow_rays[i]) : 1;
     output.Add(sample, times_scattered, value * left);
+    output.AddToGroup(sample, group, value * left);
   }
 }
 

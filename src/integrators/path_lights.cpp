@@ -63,21 +63,22 @@ PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension,
   const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
   const auto [index, choice] = picker_.Choose(to, u);
   const Light& light = *lights_[index];
-  return {light.SampleIncident(to.p, path.sampler.Get2D(dimension + kLightPoint)), choice,
+  const uint32_t group =
+      index < scene_.lights().size() ? scene_.GroupOfLight(index) : scene_.GroupOfBackground();
+  return {light.SampleIncident(to.p, path.sampler.Get2D(dimension + kLightPoint)), choice, group,
           light.Kind() != LightKind::kPoint};
 }
 
-Spectrum PathLights::FromSky(const PathState& path, Vec3 direction) const {
-  Spectrum sum = scene_.background().Radiance(direction);
-  if (environment_) {
-    const auto index = static_cast<uint32_t>(lights_.size() - 1);
-    sum *= Spectrum(WeightOfFound(path, index, {}, direction));
-  }
-  for (const uint32_t sun : suns_) {
-    const Spectrum light = lights_[sun]->Emitted({}, -direction);
-    if (!light.IsBlack()) sum += light * WeightOfFound(path, sun, {}, direction);
-  }
-  return sum;
+Spectrum PathLights::FromBackground(const PathState& path, Vec3 direction) const {
+  const Spectrum radiance = scene_.background().Radiance(direction);
+  if (!environment_) return radiance;
+  const auto index = static_cast<uint32_t>(lights_.size() - 1);
+  return radiance * Spectrum(WeightOfFound(path, index, {}, direction));
+}
+
+Spectrum PathLights::FromSun(const PathState& path, Vec3 direction, uint32_t sun) const {
+  const Spectrum light = lights_[sun]->Emitted({}, -direction);
+  return light.IsBlack() ? light : light * WeightOfFound(path, sun, {}, direction);
 }
 
 Spectrum PathLights::FromSurface(const PathState& path, const SurfacePoint& point, Vec3 wo,

@@ -34,6 +34,7 @@ class PathLights {
   struct Draw {
     LightSample sample;
     float choice;       ///< The probability of the light.
+    uint32_t group;     ///< Of lights, in which it is.
     bool is_found_too;  ///< Rays can find the light as well: what it gives is to be weighed.
 
     /// The density of light and direction, over solid angle.
@@ -45,12 +46,26 @@ class PathLights {
   /// The part that falls to a technique of density `pdf` when another has `other_pdf`.
   float Weight(float pdf, float other_pdf) const;
 
-  /// What a path finds that leaves the scene, and on the surface of a light, weighed.
-  Spectrum FromSky(const PathState& path, Vec3 direction) const;
+  /// What a path finds that leaves the scene, and on the surface of a light, weighed. `visit` gets
+  /// the parts of the sky, each with its group of lights.
+  template <class Visit>
+  Spectrum FromSky(const PathState& path, Vec3 direction, const Visit& visit) const {
+    Spectrum sum = FromBackground(path, direction);
+    visit(scene_.GroupOfBackground(), sum);
+    for (const uint32_t sun : suns_) {
+      const Spectrum light = FromSun(path, direction, sun);
+      if (light.IsBlack()) continue;
+      sum += light;
+      visit(scene_.GroupOfLight(sun), light);
+    }
+    return sum;
+  }
   Spectrum FromSurface(const PathState& path, const SurfacePoint& point, Vec3 wo,
                        uint32_t light) const;
 
  private:
+  Spectrum FromBackground(const PathState& path, Vec3 direction) const;
+  Spectrum FromSun(const PathState& path, Vec3 direction, uint32_t sun) const;
   float WeightOfFound(const PathState& path, uint32_t light, const SurfacePoint& point,
                       Vec3 w) const;
 

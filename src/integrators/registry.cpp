@@ -46,14 +46,14 @@ constexpr IntegratorEntry kIntegrators[] = {
      "path tracing: light as it is, with all lights and all materials but Phong "
      "highlights that are not normalised",
      &CheckForPath, &PathIntegrator::Create, true, true, false, true,
-     kUsesBounces | kUsesBounceKinds | kUsesLightChoice},
+     kUsesBounces | kUsesBounceKinds | kUsesLightChoice, true},
     {"light_trace", "the same light, followed from the lights to the camera",
      &LightTraceIntegrator::Check, &LightTraceIntegrator::Create, true, false, true, true,
      kUsesBounces | kUsesBounceKinds | kUsesLightChoice},
     {"direct",
      "what shines, and what it lights without a detour: path tracing of one bounce, mirrors "
      "included",
-     &CheckForDirect, &CreateDirect, false, true, false, true, kUsesLightChoice},
+     &CheckForDirect, &CreateDirect, false, true, false, true, kUsesLightChoice, true},
     {"ambient_occlusion", "how much of the sky each surface sees", &CheckForAmbientOcclusion,
      &AmbientOcclusionIntegrator::Create, false, false, false, true, kUsesAoDistance},
     {"debug", "what a renderer works with, as --view says", nullptr, &DebugIntegrator::Create,

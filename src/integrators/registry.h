@@ -74,7 +74,8 @@ struct IntegratorEntry {
   bool has_light_paths;  ///< Light lands in pixels from paths that begin at lamps.
   /// Its samples are drawn and never negative: a pixel is their mean, which takes many of them.
   bool is_sampled;
-  uint32_t uses;  ///< A set of `IntegratorUse`.
+  uint32_t uses;                  ///< A set of `IntegratorUse`.
+  bool has_light_groups = false;  ///< Fills in `SampleOutput::group_light`.
 
   bool Uses(IntegratorUse option) const { return (uses & option) != 0; }
 };

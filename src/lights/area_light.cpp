@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lights/light_context.h"
+#include "lights/temperature.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -12,7 +13,8 @@
 namespace candela {
 
 std::unique_ptr<Light> AreaLight::Create(ParamReader* params, const LightContext& context) {
-  const Rgb radiance = params->NonNegativeColor("radiance", {1, 1, 1});
+  const Rgb tint = params->NonNegativeColor("radiance", {1, 1, 1});
+  const Rgb radiance = tint * ReadTemperature(params);
   const bool is_two_sided = params->Flag("two_sided", true);
   if (!context.has_object) {
     params->Error(params->Where("type"),

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lights/sky_emission.h"
+#include "lights/temperature.h"
 #include "math/elementary.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
@@ -25,7 +26,8 @@ DirectionalLight::DirectionalLight(Vec3 direction, Rgb color, float angle_degree
 
 std::unique_ptr<Light> DirectionalLight::Create(ParamReader* params, const LightContext&) {
   const Vec3 direction = params->RequiredDirection("direction");
-  const Rgb color = params->Color("color", {1, 1, 1});
+  const Rgb tint = params->Color("color", {1, 1, 1});
+  const Rgb color = tint * ReadTemperature(params);
   params->Positive("attenuation", 20);  // The course's format allows it here, without effect.
   const float angle = params->NonNegative("angle", 0);
   if (angle >= 180) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lights/light_context.h"
+#include "lights/temperature.h"
 #include "lights/way_to_light.h"
 #include "math/elementary.h"
 
@@ -36,7 +37,8 @@ IesLight::IesLight(Vec3 position, const Frame& frame, std::shared_ptr<const IesP
 
 std::unique_ptr<Light> IesLight::Create(ParamReader* params, const LightContext& context) {
   const ParamWord file = params->RequiredPath("file");
-  const Rgb color = params->Color("color", {1, 1, 1});
+  const Rgb tint = params->Color("color", {1, 1, 1});
+  const Rgb color = tint * ReadTemperature(params);
   const float scale = params->NonNegative("scale", 0.001f);
   if (file.text.empty()) return nullptr;
   const std::shared_ptr<const IesFile> lamp =

@@ -2,6 +2,7 @@
 
 #include "lights/ies_file.h"
 #include "math/transform.h"
+#include "scene_spec/light_group.h"
 #include "scene_spec/param_set.h"
 #include "textures/texture_context.h"
 
@@ -17,6 +18,8 @@ struct LightContext {
   const TextureContext* textures = nullptr;
   /// The photometric files of the scene that were read, which lamps of one kind share; may be null.
   IesFiles* ies_files = nullptr;
+  /// Gets the group that the light is in; may be null.
+  LightGroup* group = nullptr;
 };
 
 }  // namespace candela

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lights/light_context.h"
+#include "lights/temperature.h"
 #include "lights/way_to_light.h"
 #include "math/elementary.h"
 #include "sampling/warp.h"
@@ -11,7 +12,8 @@
 namespace candela {
 
 std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContext& context) {
-  const Rgb color = params->Color("color", {1, 1, 1});
+  const Rgb tint = params->Color("color", {1, 1, 1});
+  const Rgb color = tint * ReadTemperature(params);
   const Falloff falloff = Falloff::Read(params);
   params->Vector("direction", {0, 0, -1});  // The course's format allows it here, without effect.
   return std::make_unique<PointLight>(context.world_from_node.Point({0, 0, 0}), color, falloff);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lights/light_context.h"
+#include "lights/temperature.h"
 #include "lights/way_to_light.h"
 #include "math/elementary.h"
 
@@ -96,7 +97,8 @@ std::unique_ptr<Light> ProjectorLight::Create(ParamReader* params, const LightCo
   const Vec3 up = params->RequiredDirection("up");
   const float fov = params->RequiredAngle("fov");
   const float aspect = params->Positive("aspect", 1);
-  const Rgb color = params->Color("color", {1, 1, 1});
+  const Rgb tint = params->Color("color", {1, 1, 1});
+  const Rgb color = tint * ReadTemperature(params);
   const float attenuation = params->Positive("attenuation", 20);
 
   const auto are_parallel = [](Vec3 a, Vec3 b) {

@@ -6,6 +6,7 @@
 #include "lights/point_light.h"
 #include "lights/projector_light.h"
 #include "lights/spot_light.h"
+#include "scene_spec/light_group.h"
 #include "scene_spec/registry.h"
 
 namespace candela {
@@ -34,6 +35,8 @@ std::unique_ptr<Light> CreateLight(const TypedSpec& spec, const LightContext& co
   if (!entry) return nullptr;
   ParamReader params(spec.params, entry->name, spec.where, diagnostics, context.resolved);
   auto light = entry->create(&params, context);
+  const LightGroup group = ReadLightGroup(&params);
+  if (context.group) *context.group = group;
   params.Finish();
   return light;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lights/light_context.h"
+#include "lights/temperature.h"
 #include "lights/way_to_light.h"
 #include "math/elementary.h"
 #include "math/frame.h"
@@ -23,7 +24,8 @@ std::unique_ptr<Light> SpotLight::Create(ParamReader* params, const LightContext
   const Vec3 direction = params->RequiredDirection("direction");
   const float angle = params->RequiredAngle("angle");
   const float blend = params->Fraction("blend", 0.15f);
-  const Rgb color = params->Color("color", {1, 1, 1});
+  const Rgb tint = params->Color("color", {1, 1, 1});
+  const Rgb color = tint * ReadTemperature(params);
   const Falloff falloff = Falloff::Read(params);
   Vec3 in_world = context.world_from_node.Vector(direction);
   if (in_world == Vec3() || !IsFinite(in_world)) {

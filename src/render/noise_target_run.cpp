@@ -77,7 +77,8 @@ double NoiseTargetRun::Progress() const {
 uint64_t NoiseTargetRun::BytesPerPixel(const RenderOptions& options) {
   if (!options.time_limit) return 0;
   const uint64_t of_series = sizeof(PixelSums) + sizeof(PixelSpread) +
-                             (options.layers.IsEmpty() ? 0 : sizeof(PixelLayers));
+                             (options.layers.IsEmpty() ? 0 : sizeof(PixelLayers)) +
+                             options.light_groups.size() * sizeof(Vec3d);
   return 3 * of_series;  // Two that run, and what was kept of one of them.
 }
 

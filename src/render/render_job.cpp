@@ -77,7 +77,8 @@ RenderJob::RenderJob(const Integrator& integrator, const RenderOptions& options,
     : integrator_(integrator),
       options_(options),
       film_(options.crop, keep,
-            options.drops_negative ? Film::Negative::kDrop : Film::Negative::kTake, options.layers),
+            options.drops_negative ? Film::Negative::kDrop : Film::Negative::kTake, options.layers,
+            options.light_groups),
       tile_samples_(static_cast<size_t>(Tiles(options.crop, options.tile_size).Count())),
       limit_(options.time_limit) {
   if (options.noise_target) noise_run_.emplace(options, limit_, &film_);
@@ -228,11 +229,13 @@ uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrat
   } else if (options.time_limit) {
     per_pixel += sizeof(PixelSums);
     if (!options.layers.IsEmpty()) per_pixel += sizeof(PixelSpread) + sizeof(PixelLayers);
+    per_pixel += options.light_groups.size() * sizeof(Vec3d);
   }
   for (size_t i = 0; i < kLayerCount; ++i) {
     // The words of the film, and those of the file.
-    const uint64_t channels = Layers()[i].channels.size();
-    if (options.layers.Has(static_cast<Layer>(i))) per_pixel += 8 * channels;
+    const LayerEntry& layer = Layers()[i];
+    const uint64_t layers = layer.is_of_groups ? options.light_groups.size() : 1;
+    if (options.layers.Has(static_cast<Layer>(i))) per_pixel += 8 * layers * layer.channels.size();
   }
   const uint64_t pixels = options.crop.PixelCount();
   const uint64_t most = std::numeric_limits<uint64_t>::max();

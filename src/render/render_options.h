@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cameras/image_plane.h"
 #include "film/film.h"
@@ -43,7 +44,9 @@ struct RenderOptions {
   /// strata.
   std::optional<double> time_limit;
 
-  LayerSet layers;              ///< What is recorded beside the colours.
+  LayerSet layers;  ///< What is recorded beside the colours.
+  /// The groups of lights of the scene, where their layers are recorded.
+  std::vector<std::string> light_groups;
   std::optional<float> clamp;   ///< The most that a channel of a sample may have.
   bool drops_negative = false;  ///< Negative samples are mistakes, not the scene's will.
   uint32_t tile_size =

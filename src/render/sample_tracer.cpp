@@ -21,6 +21,7 @@ SampleTracer::SampleTracer(const Integrator& integrator, const RenderOptions& op
       counters_(*counters),
       clamp_(options.clamp),
       has_layers_(!options.layers.IsEmpty()),
+      group_count_(options.layers.Has(Layer::kLightGroups) ? options.light_groups.size() : 0),
       workspace_(integrator.MakeWorkspace()) {}
 
 bool SampleTracer::Trace(SampleRange range, FilmTile* tile) {
@@ -83,8 +84,10 @@ void SampleTracer::TraceBatch(FilmTile* tile, Take take) {
   const uint64_t rays_before = workspace_->rays.Total();
   radiance_.resize(requests_.size());
   if (has_layers_) layers_.resize(requests_.size());
+  group_light_.resize(group_count_ * requests_.size());
   integrator_.Trace(requests_, workspace_.get(),
-                    {radiance_, layers_, options_.layers.Has(Layer::kUv), wants_surface_});
+                    {radiance_, layers_, options_.layers.Has(Layer::kUv), wants_surface_,
+                     group_light_, group_count_});
   for (size_t i = 0; i < requests_.size(); ++i) TakeSample(i, tile, take);
   wants_surface_.clear();
   counters_.Add(requests_.size(), workspace_->rays.Total() - rays_before);
@@ -105,10 +108,13 @@ void SampleTracer::TakeSample(size_t i, FilmTile* tile, Take take) {
   }
   if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, weights_[i], &lost_of_window_);
   if (!has_layers_) return;
+  const auto groups = std::span(group_light_).subspan(group_count_ * i, group_count_);
   if (factor < 1) {
     for (Rgb& light : layers_[i].light) light *= factor;
+    for (Rgb& light : groups) light *= factor;
   }
   tile->AddLayers(x, y, layers_[i], weights_[i]);
+  if (!groups.empty()) tile->AddLightGroups(x, y, groups, weights_[i]);
 }
 
 }  // namespace candela

@@ -68,11 +68,13 @@ class SampleTracer {
   RenderCounters& counters_;
   const SampleClamp clamp_;
   const bool has_layers_;
+  const size_t group_count_;  ///< Of groups of lights that have layers.
   std::unique_ptr<Workspace> workspace_;
   std::vector<SampleRequest> requests_;
   std::vector<float> weights_;
   std::vector<Spectrum> radiance_;
   std::vector<SampleLayers> layers_;    ///< Empty when nobody asks for layers.
+  std::vector<Rgb> group_light_;        ///< See `SampleOutput`.
   std::vector<uint8_t> wants_surface_;  ///< The same; the nearest to the middle of their pixels.
   DroppedSamples dropped_, dropped_of_window_;
   ClampLoss lost_, lost_of_window_;

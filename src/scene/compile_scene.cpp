@@ -45,7 +45,7 @@ class SceneCompiler {
     node_interiors_ = CompileInteriors(spec_, &diagnostics_, resolved_);
     materials_.emplace(spec_, node_interiors_.media, &diagnostics_, resolved_);
     CompileNodes();
-    if (sun_) AddLight(std::move(sun_), "directional", spec_.file);
+    if (sun_) AddLight(std::move(sun_), "directional", spec_.file, spec_.background.light_group);
     if (diagnostics_.HasErrors()) return nullptr;
     TakeMaterials();
     BakeMeshes();
@@ -67,6 +67,7 @@ class SceneCompiler {
     const BackgroundSpec& background = spec_.background;
     scene_->background_.color = background.color;
     scene_->background_.ambient_light = background.ambient_light;
+    scene_->group_of_background_ = IndexOfGroup(background.light_group);
     if (!background.cube_map.empty()) {
       scene_->background_.cube_map = CubeMap::Load(spec_.folder / background.cube_map,
                                                    background.cube_map_where, &diagnostics_);
@@ -118,9 +119,13 @@ class SceneCompiler {
   /// The index of the node's light when it is the surface of the node's object, else kNoLight.
   uint32_t CompileLight(const NodeSpec& node, const NodePlace& world_from_node,
                         NodeSpec* resolved) {
-    const LightContext context{Transform(world_from_node.begin), node.object.has_value(),
+    LightGroup group;
+    const LightContext context{Transform(world_from_node.begin),
+                               node.object.has_value(),
                                EmptiedParams(resolved ? &*resolved->light : nullptr),
-                               &materials_->textures(), &ies_files_};
+                               &materials_->textures(),
+                               &ies_files_,
+                               &group};
     auto light = CreateLight(*node.light, context, &diagnostics_);
     if (!light) return SceneObject::kNoLight;
     if (!IsFinite(context.world_from_node.Point({0, 0, 0}))) {
@@ -139,14 +144,37 @@ class SceneCompiler {
       });
     }
     if (is_surface) surface_lights_[index] = light.get();
-    AddLight(std::move(light), node.light->type, node.light->where);
+    AddLight(std::move(light), node.light->type, node.light->where, group);
     return is_surface ? index : SceneObject::kNoLight;
   }
 
-  void AddLight(std::unique_ptr<Light> light, std::string type, const SourceLocation& where) {
+  void AddLight(std::unique_ptr<Light> light, std::string type, const SourceLocation& where,
+                const LightGroup& group) {
     scene_->lights_.push_back(std::move(light));
     scene_->light_types_.push_back(std::move(type));
     scene_->light_places_.push_back(where);
+    scene_->group_of_light_.push_back(IndexOfGroup(group));
+  }
+
+  /// The place of a group in those of the scene, of which it may be the first to be met.
+  uint32_t IndexOfGroup(const LightGroup& group) {
+    std::vector<std::string>& groups = scene_->light_groups_;
+    const auto found = std::ranges::find(groups, group.name);
+    const auto index = static_cast<uint32_t>(found - groups.begin());
+    if (found != groups.end()) return index;
+    if (index == LightGroup::kMostGroups) {
+      if (!has_too_many_groups_) {
+        diagnostics_.Error(group.where, [&] {
+          return fmt::format(
+              "a scene has at most {} groups of lights, '{}' included; {} is one more",
+              LightGroup::kMostGroups, LightGroup::kDefault, Quote(group.name));
+        });
+      }
+      has_too_many_groups_ = true;
+      return 0;
+    }
+    groups.push_back(group.name);
+    return index;
   }
 
   void CompileObject(const NodeSpec& node, const NodePlace& place, uint32_t light,
@@ -314,7 +342,8 @@ class SceneCompiler {
   std::map<decltype(Interior().Key()), uint32_t> interior_by_key_;
   std::map<std::shared_ptr<const MeshSpec>, std::shared_ptr<const Shape>> made_of_meshes_;
   IesFiles ies_files_;
-  std::unique_ptr<Light> sun_;  ///< Of the sky; added behind the lights of the nodes.
+  bool has_too_many_groups_ = false;  ///< Which was reported.
+  std::unique_ptr<Light> sun_;        ///< Of the sky; added behind the lights of the nodes.
   std::map<uint32_t, Light*> surface_lights_;  ///< By their index, while they can be changed.
   std::vector<Place> places_;                  ///< Of `scene_->objects_`.
 };

@@ -80,6 +80,11 @@ class Scene {
   const std::vector<std::unique_ptr<const Light>>& lights() const { return lights_; }
   /// What each of them is called in the registry of lights.
   const std::vector<std::string>& light_types() const { return light_types_; }
+  /// The names of the groups that lights and the background are in, each once.
+  const std::vector<std::string>& light_groups() const { return light_groups_; }
+  /// The places in it of a light's and of the background's.
+  uint32_t GroupOfLight(size_t index) const { return group_of_light_[index]; }
+  uint32_t GroupOfBackground() const { return group_of_background_; }
   const Material& material(const HitRecord& hit) const {
     return *materials_[objects_[hit.object].material];
   }
@@ -122,6 +127,9 @@ class Scene {
   std::vector<std::unique_ptr<const Light>> lights_;
   std::vector<std::string> light_types_;
   std::vector<SourceLocation> light_places_;
+  std::vector<std::string> light_groups_;
+  std::vector<uint32_t> group_of_light_;
+  uint32_t group_of_background_ = 0;
   std::vector<std::unique_ptr<const Material>> materials_;
   std::vector<SourceLocation> material_places_;
   std::vector<SourceLocation> object_places_;

@@ -11,6 +11,7 @@
 
 #include "math/mat4.h"
 #include "math/spectrum.h"
+#include "scene_spec/light_group.h"
 #include "scene_spec/mesh_spec.h"
 #include "scene_spec/param_set.h"
 
@@ -61,6 +62,7 @@ struct BackgroundSpec {
   /// Replaces `color` as well; there is one of the three at most.
   std::optional<SkySpec> sky;
   std::optional<FogSpec> fog;
+  LightGroup light_group;  ///< Of the sun as well.
 };
 
 /// A texture with the name that materials and further textures use for it.

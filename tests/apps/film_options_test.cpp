@@ -1,4 +1,5 @@
 // What `candela render` does with samples and their sums, run as a user does.
+#include <cmath>
 #include <csignal>
 
 #include "film/layers.h"
@@ -104,7 +105,70 @@ TEST_F(FilmOptionsTest, TheCoursesIntegratorHasLayersToo) {
   EXPECT_GT(At(picture, "normal.Z", 20, 15), 0.9f);
 }
 
+// Whatever is done to samples.
+TEST_F(FilmOptionsTest, LayersOfLightGroupsAreTogetherThePicture) {
+  Put(folder_ / "groups.txt",
+      "Camera { center 0 0 4 direction 0 0 -1 up 0 1 0 fov 60 }\n"
+      "Background { color 0.1 0.2 0.3 }\n"
+      "Materials { Material { type diffuse albedo 0.8 0.4 0.2 } }\n"
+      "Scene {\n"
+      "  Node { Component<Object> { type plane normal 0 1 0 offset -1 }\n"
+      "         Component<Material> { index 0 } }\n"
+      "  Node { Transform { translate 1.5 1.5 0 } Component<Object> { type sphere radius 0.3 }\n"
+      "         Component<Material> { index 0 }\n"
+      "         Component<Light> { type area radiance 90 90 90 group ceiling_lamps_of_the_hall_2 } "
+      "}\n"
+      "  Node { Transform { translate -1 1 0 }\n"
+      "         Component<Light> { type point attenuation 0.5 group lamp } } }\n");
+  const std::vector<std::vector<std::string>> ways = {
+      {"--samples", "16"},
+      {"--samples", "16", "--filter", "mitchell"},
+      {"--samples", "16", "--clamp", "0.7"},
+      {"--samples", "64", "--noise-target", "0.2"},
+      {"--samples", "16", "--time-limit", "100"},
+      {"--samples", "64", "--noise-target", "0.2", "--clamp", "0.7", "--crop", "3", "5", "38",
+       "29"}};
+  for (const auto& way : ways) {
+    SCOPED_TRACE(way.back());
+    std::vector<std::string> words = {"render",  "groups.txt", "--size",    "40",           "30",
+                                      "--quiet", "-o",         "plain.exr", "--integrator", "path"};
+    words.insert(words.end(), way.begin(), way.end());
+    EXPECT_EQ(Candela(words).status, 0);
+    words[7] = "groups.exr";
+    words.insert(words.end(), {"--aov", "light_groups"});
+    EXPECT_EQ(Candela(words).status, 0);
+    EXPECT_EQ(Picture("groups.exr"), Picture("plain.exr"));
+    const ExrPicture picture = Layers("groups.exr");
+    EXPECT_THAT(picture.channels,
+                ElementsAre("B", "G", "R", "light_group_ceiling_lamps_of_the_hall_2.B",
+                            "light_group_ceiling_lamps_of_the_hall_2.G",
+                            "light_group_ceiling_lamps_of_the_hall_2.R", "light_group_default.B",
+                            "light_group_default.G", "light_group_default.R", "light_group_lamp.B",
+                            "light_group_lamp.G", "light_group_lamp.R"));
+    float most_of_hall = 0, most_of_lamp = 0;
+    for (int y = 0; y < picture.image.Height(); ++y) {
+      for (int x = 0; x < picture.image.Width(); ++x) {
+        for (const char* c : {".R", ".G", ".B"}) {
+          const float hall =
+              At(picture, "light_group_ceiling_lamps_of_the_hall_2" + std::string(c), x, y);
+          const float lamp = At(picture, "light_group_lamp" + std::string(c), x, y);
+          const float sum = hall + lamp + At(picture, "light_group_default" + std::string(c), x, y);
+          ASSERT_NEAR(sum, At(picture, c + 1, x, y), 4e-6f * (1 + std::abs(hall) + std::abs(lamp)))
+              << x << " " << y;
+          most_of_hall = std::max(most_of_hall, hall);
+          most_of_lamp = std::max(most_of_lamp, lamp);
+        }
+      }
+    }
+    EXPECT_GT(most_of_hall, 0.5f);
+    EXPECT_GT(most_of_lamp, 0.1f);
+  }
+}
+
 TEST_F(FilmOptionsTest, RefusesLayersThatCannotBe) {
+  ExpectUsageError(
+      {"-o", "o.exr", "--aov", "normal,light_groups"},
+      "--aov light_groups: the integrator 'whitted' does not tell the light of groups apart");
   ExpectUsageError({"-o", "o.png", "--aov", "all"},
                    "--aov: layers go into the picture of --output, which has to be an .exr file");
   ExpectUsageError({"--normals", "n.exr", "--aov", "all"},

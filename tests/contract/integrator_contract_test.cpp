@@ -113,6 +113,46 @@ TEST_P(EveryIntegrator, EveryCameraShowsTheBackgroundWhereItShowsSomething) {
   }
 }
 
+// One that cannot tell groups apart says so; then nobody asks it.
+TEST_P(EveryIntegrator, GroupsOfLightsAreTogetherAllLight) {
+  if (!GetParam().has_light_groups) GTEST_SKIP();
+  const auto scene = CompileText(
+      std::string(kCamera) +
+      "Background { color 0.2 0.3 0.5 group sky }\n"
+      "Materials { Material { type diffuse albedo 0.8 0.6 0.4 }\n"
+      "  Material { type dielectric ior 1.5 absorption 0.1 0.2 0.3 } }\n"
+      "Scene {\n"
+      "Node { Component<Object> { type plane normal 0 1 0 offset -1 }\n"
+      "  Component<Material> { index 0 } }\n"
+      "Node { Transform { translate 0 0 -4 } Component<Object> { type sphere radius 1 }\n"
+      "  Component<Material> { index 1 } }\n"
+      "Node { Transform { translate -2 1 -4 } Component<Object> { type sphere radius 0.5 }\n"
+      "  Component<Material> { index 0 } Component<Light> { type area radiance 5 4 3 } }\n"
+      "Node { Component<Light> { type directional direction 0 -1 -1 angle 5 group sun } } }");
+  const size_t groups = scene->light_groups().size();
+  ASSERT_EQ(groups, 3u);
+  std::vector<SampleRequest> requests;
+  for (uint32_t i = 0; i < 3000; ++i) {  // More than are followed together.
+    const Vec2 point{static_cast<float>(i % 50) / 25 - 1, static_cast<float>(i / 50) / 30 - 1};
+    requests.push_back({i % 50, i / 50, 0, point, 0.04f});
+  }
+  std::vector<Spectrum> radiance(requests.size()), plain(requests.size());
+  std::vector<Rgb> light(groups * requests.size(), Rgb{7, 7, 7});
+  const auto integrator = Create(GetParam(), *scene);
+  const auto workspace = integrator->MakeWorkspace();
+  integrator->Trace(requests, workspace.get(), {plain});
+  SampleOutput output{radiance};
+  output.group_light = light;
+  output.group_count = groups;
+  integrator->Trace(requests, workspace.get(), output);
+  EXPECT_TRUE(radiance == plain);
+  for (size_t i = 0; i < requests.size(); ++i) {
+    const Rgb sum = light[3 * i] + light[3 * i + 1] + light[3 * i + 2];
+    const Rgb all = radiance[i].ToRgb();
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(sum[c], all[c], 2e-6f * (1 + all[c])) << i;
+  }
+}
+
 /// Spheres on a floor, a lamp, a light: something for every integrator.
 std::unique_ptr<const Scene> StillLife() {
   std::string spheres;

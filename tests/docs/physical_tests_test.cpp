@@ -76,6 +76,7 @@ constexpr Law kLaws[] = {
     {"CF32", "density and masking of GGX"},
     {"CF33", "normalised Phong lobe: albedo ks"},
     {"CF35", "penumbra of a straight edge"},
+    {"CF36", "black body: Planck's law, Wien's peak"},
     {"CF37", "mean chord: 4 V / S"},
     {"CF38", "albedo of a rough mirror after one bounce"},
 };

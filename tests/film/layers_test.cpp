@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "film/film.h"
 #include "film/pixel_estimate.h"
@@ -27,10 +30,11 @@ struct OnePixel {
     if (layers.IsNearest(distance, index)) layers.SetSurface(sample.surface);
     layers.Add(sample, weight);
   }
-  PixelPart Part() const { return {&sums, &spread, &layers}; }
+  PixelPart Part() const { return {&sums, &spread, &layers, {}, light_groups}; }
   PixelSums sums;
   PixelSpread spread;
   PixelLayers layers;
+  std::vector<Vec3d> light_groups;
 };
 
 PixelEstimate EstimateOf(const OnePixel& pixel) {
@@ -157,6 +161,57 @@ TEST(Film, KeepsTheLayersThatAreAskedFor) {
   ASSERT_EQ(uv.size(), 12u);
   EXPECT_EQ(std::bit_cast<float>(uv[4]), 0.25f);
   EXPECT_EQ(std::bit_cast<float>(uv[5]), 0.75f);
+}
+
+/// The values of a layer of a film of one pixel.
+std::vector<float> ValuesOf(const Film& film, Layer layer) {
+  std::vector<float> values;
+  for (const uint32_t word : film.LayerWords(layer)) values.push_back(std::bit_cast<float>(word));
+  return values;
+}
+
+const std::array<std::string, 2> kGroups = {"sky", "lamps"};
+
+// Sums of weighted samples in both ways that a film keeps them.
+TEST(Film, DevelopsTheLightOfEachGroup) {
+  const PixelWindow window{0, 0, 1, 1};
+  for (const Film::Keep keep : {Film::Keep::kColours, Film::Keep::kSums}) {
+    Film film(window, keep, Film::Negative::kTake, LayerSet{Layer::kLightGroups}, kGroups);
+    EXPECT_THAT(film.NamesOf(Layer::kLightGroups),
+                testing::ElementsAre("light_group_sky", "light_group_lamps"));
+    FilmTile tile;
+    film.BeginTile(window, &tile);
+    const Rgb first[] = {{8, 0, 4}, {0, 4, 0}}, second[] = {{0, 0, 0}, {4, 0, 8}};
+    ASSERT_TRUE(tile.Add(0, 0, {8, 4, 4}, 3));
+    tile.AddLightGroups(0, 0, first, 3);
+    if (keep == Film::Keep::kSums) {  // Goes on in a second pass.
+      film.EndTile(tile);
+      film.BeginTile(window, &tile);
+    }
+    ASSERT_TRUE(tile.Add(0, 0, {4, 0, 8}, 1));
+    tile.AddLightGroups(0, 0, second, 1);
+    film.EndTile(tile);
+    EXPECT_THAT(ValuesOf(film, Layer::kLightGroups), testing::ElementsAre(6, 0, 3, 1, 3, 2));
+  }
+}
+
+TEST(Film, DevelopsTheMeanOfTheGroupsOfTwoSeries) {
+  const PixelWindow window{0, 0, 1, 1};
+  Film film(window, Film::Keep::kColours, Film::Negative::kTake, LayerSet{Layer::kLightGroups},
+            kGroups);
+  FilmTile a, b;
+  film.BeginSeries(window, &a);
+  film.BeginSeries(window, &b);
+  const Rgb of_a[] = {{1, 0, 0}, {0, 2, 0}}, of_b[] = {{3, 0, 0}, {0, 0, 6}};
+  ASSERT_TRUE(a.Add(0, 0, {1, 2, 0}, 1));
+  a.AddLightGroups(0, 0, of_a, 1);
+  for (int i = 0; i < 2; ++i) {
+    ASSERT_TRUE(b.Add(0, 0, {3, 0, 6}, 1));
+    b.AddLightGroups(0, 0, of_b, 1);
+  }
+  film.EndSeries(a, b);
+  EXPECT_EQ(film.Pixel(0, 0), (Rgb{2, 1, 3}));
+  EXPECT_THAT(ValuesOf(film, Layer::kLightGroups), testing::ElementsAre(2, 0, 0, 0, 1, 3));
 }
 
 TEST(Film, DropsNegativeLightWhereItIsAMistake) {

@@ -82,6 +82,23 @@ TEST(Exr, ChannelsKeepTheirNames) {
   }
 }
 
+// Names of more than 31 characters are marked in the header; files without them stay as they were.
+TEST(Exr, LongNamesOfChannelsAreMarked) {
+  constexpr size_t kFlags = 5;
+  constexpr char kLongNames = 0x4;
+  for (const size_t size : {31u, 32u, 78u}) {
+    const std::vector<std::string> names = {std::string(size, 'x')};
+    const Image image = Values(3, 2, 1);
+    const Result<std::string> file = EncodeExr(image, names);
+    ASSERT_TRUE(file.ok()) << file.error().message;
+    EXPECT_EQ(((*file)[kFlags] & kLongNames) != 0, size > 31) << size;
+    const Result<ExrPicture> back = DecodeExrChannels(*file);
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    EXPECT_EQ(back->channels, names);
+    EXPECT_EQ(back->image, image);
+  }
+}
+
 TEST(Exr, ColoursAreChosenByName) {
   const std::string depth[] = {"Z"};
   EXPECT_EQ(*DecodeExr(*EncodeExr(Image(2, 2, 1, 5), depth)), Image(2, 2, 1, 5));

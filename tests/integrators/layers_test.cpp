@@ -139,6 +139,60 @@ TEST_P(EveryRecorder, NormalsPointToTheCamera) {
   EXPECT_NEAR(Length(seen.layers[0].surface.n_shading - Vec3{0, 0, 1}), 0, 1e-5);
 }
 
+/// The light of each group, sample after sample.
+std::vector<Rgb> RecordGroups(std::string_view integrator, const Scene& scene,
+                              const std::vector<SampleRequest>& requests,
+                              std::vector<Spectrum>* radiance) {
+  const auto made = CreateIntegrator(integrator, scene, Bounces(5));
+  EXPECT_TRUE(made.ok());
+  std::vector<Rgb> groups(requests.size() * scene.light_groups().size(), Rgb{7, 7, 7});
+  radiance->resize(requests.size());
+  SampleOutput output{*radiance};
+  output.group_light = groups;
+  output.group_count = scene.light_groups().size();
+  (*made)->Trace(requests, (*made)->MakeWorkspace().get(), output);
+  return groups;
+}
+
+// The sky is blue, the ball red and the lamp green; the floor is grey and the mirror too.
+TEST(LightGroups, HoldWhatTheirLightsSendAndNothingElse) {
+  const auto scene = CompileText(
+      std::string(kCamera) +
+      "Background { color 0 0 0.5 }\n"
+      "Materials { Material { type diffuse albedo 0.8 0.8 0.8 }\n"
+      "  Material { type mirror reflectance 0.9 0.9 0.9 } }\n"
+      "Scene {\n"
+      "Node { Transform { translate 1 0 -4 } Component<Object> { type sphere radius 0.9 }\n"
+      "  Component<Material> { index 1 } }\n"
+      "Node { Component<Object> { type plane normal 0 1 0 offset -1 }\n"
+      "  Component<Material> { index 0 } }\n"
+      "Node { Transform { translate -1 0.5 -4 } Component<Object> { type sphere radius 0.4 }\n"
+      "  Component<Material> { index 0 } Component<Light> { type area radiance 3 0 0 group b } }\n"
+      "Node { Component<Light> { type directional direction 0 -1 -1 color 1 0 0 angle 20 group b } "
+      "}\n"
+      "Node { Transform { translate 0 4 0 }\n"
+      "  Component<Light> { type point color 0 1 0 attenuation 0.1 group a } } }");
+  EXPECT_EQ(scene->light_groups(), (std::vector<std::string>{"default", "b", "a"}));
+  for (const char* integrator : {"path", "direct"}) {
+    SCOPED_TRACE(integrator);
+    std::vector<Spectrum> radiance;
+    const std::vector<Rgb> groups = RecordGroups(integrator, *scene, Grid(), &radiance);
+    const int channels[] = {2, 0, 1};
+    std::array<float, 3> sums{};
+    for (size_t i = 0; i < radiance.size(); ++i) {
+      for (size_t group = 0; group < 3; ++group) {
+        Rgb expected;
+        const int channel = channels[group];
+        expected[channel] = radiance[i].ToRgb()[channel];
+        const Rgb& found = groups[3 * i + group];
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 2e-6f * (1 + expected[c]));
+        sums[group] += found[channel];
+      }
+    }
+    for (const float sum : sums) EXPECT_GT(sum, 1);
+  }
+}
+
 // In a room of reflectance 1/2 that emits 1/2, light that was scattered n times is 1/2^(n+1).
 TEST(PathLayers, LightHalvesWithEachBounce) {
   const auto scene = CompileText(

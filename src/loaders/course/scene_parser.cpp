@@ -202,6 +202,7 @@ class Parser {
     background.sky = ReadSky(&reader);
     ReadEnvironment(&reader);
     background.fog = ReadFog(&reader);
+    background.light_group = ReadLightGroup(&reader);
     reader.Finish();
   }
 

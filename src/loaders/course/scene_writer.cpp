@@ -95,6 +95,9 @@ class Writer {
     }
     if (background.sky) WriteSky(*background.sky, background.environment_scale);
     if (background.fog) WriteFog(*background.fog);
+    if (background.light_group.name != LightGroup::kDefault) {
+      Line("group " + background.light_group.name);
+    }
     Close();
   }
 

@@ -8,10 +8,15 @@
 namespace candela::kernel {
 
 /// Brings what a record will need into the cache while there is other work.
-template <int W>
+template <class L>
 [[gnu::always_inline]] inline void PrefetchRecord(const Record* records, Reference reference) {
   const char* address = reinterpret_cast<const char*>(records + RecordOf(reference));
-  const int bytes = IsNode(reference) ? static_cast<int>(sizeof(WideNode<W>)) : 128;
+  int bytes = IsNode(reference) ? static_cast<int>(sizeof(WideNode<L::kWidth>)) : 128;
+  if constexpr (L::kMoves) {
+    const RecordKind kind = KindOf(reference);
+    if (kind == RecordKind::kMovingNode) bytes = sizeof(MovingNode<L::kWidth>);
+    if (kind == RecordKind::kCheckedTriangles) bytes = TriangleLeafRecords(2) * sizeof(Record);
+  }
   for (int line = 0; line < bytes; line += 64) __builtin_prefetch(address + line);
 }
 
@@ -26,7 +31,7 @@ struct NextChild {
 /// others on the stack, the nearest last; with `kPrefetch` those are fetched, too. One and two
 /// are the usual numbers and come first, with branches: a predicted branch lets the next record be
 /// fetched before the distances are known.
-template <int W, bool kPrefetch, class F>
+template <class L, bool kPrefetch, class F>
 [[gnu::always_inline]] inline NextChild OrderChildren(uint32_t bits, F entries,
                                                       const Reference* child, const Record* records,
                                                       NodeStack* stack) {
@@ -41,11 +46,11 @@ template <int W, bool kPrefetch, class F>
   if (bits == 0) {
     const Reference one = child[first], two = child[second];
     if (entry[first] <= entry[second]) {
-      if (kPrefetch) PrefetchRecord<W>(records, two);
+      if (kPrefetch) PrefetchRecord<L>(records, two);
       stack->entry[stack->size++] = MakeEntry(entry[second], two);
       return {one, entry[first]};
     }
-    if (kPrefetch) PrefetchRecord<W>(records, one);
+    if (kPrefetch) PrefetchRecord<L>(records, one);
     stack->entry[stack->size++] = MakeEntry(entry[first], one);
     return {two, entry[second]};
   }
@@ -66,7 +71,7 @@ template <int W, bool kPrefetch, class F>
     base[place] = next;
   } while (bits != 0);
   if (kPrefetch) {
-    for (uint32_t i = 0; i + 1 < count; ++i) PrefetchRecord<W>(records, ReferenceOf(base[i]));
+    for (uint32_t i = 0; i + 1 < count; ++i) PrefetchRecord<L>(records, ReferenceOf(base[i]));
   }
   stack->size += count - 1;
   const StackEntry nearest = base[count - 1];
@@ -74,7 +79,7 @@ template <int W, bool kPrefetch, class F>
 }
 
 /// The same without an order, for searches that any hit ends.
-template <int W, class F>
+template <class L, class F>
 [[gnu::always_inline]] inline NextChild KeepChildren(uint32_t bits, F entries,
                                                      const Reference* child, const Record* records,
                                                      NodeStack* stack) {
@@ -83,7 +88,7 @@ template <int W, class F>
   const int first = std::countr_zero(bits);
   for (bits &= bits - 1; bits != 0; bits &= bits - 1) {
     const int lane = std::countr_zero(bits);
-    PrefetchRecord<W>(records, child[lane]);
+    PrefetchRecord<L>(records, child[lane]);
     stack->entry[stack->size++] = MakeEntry(entry[lane], child[lane]);
   }
   return {child[first], entry[first]};

@@ -14,7 +14,7 @@
 namespace candela {
 namespace {
 
-const kernel::TraceFunctions& FunctionsOf(Isa isa, int width) {
+const kernel::IsaFunctions& FunctionsOf(Isa isa, int width) {
   CHECK(width == 8 || (width == 16 && isa == Isa::kAvx512));
 #ifdef CANDELA_X86
   if (isa == Isa::kAvx512) {
@@ -47,7 +47,8 @@ Result<std::unique_ptr<Group>> Group::Build(GroupInput input, const BuildOptions
     if (!data) return data.error();
     if (has_tree) {
       data->isa = options.isa;
-      data->trace = &FunctionsOf(options.isa, options.width);
+      const kernel::IsaFunctions& functions = FunctionsOf(options.isa, options.width);
+      data->trace = data->moves ? &functions.moving : &functions.resting;
     }
     data->largest_coordinate = LargestCoordinate(data->bounds);
     return std::unique_ptr<Group>(new Group(std::move(*data)));

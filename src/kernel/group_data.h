@@ -51,10 +51,11 @@ struct GroupData {
   /// What goes on its stack: the root, unless it is such a leaf, and unbounded instances.
   std::vector<Reference> entries;
 
-  Bounds3 bounds;  ///< Of everything in the tree, at all times.
-  int width = 8;   ///< Children of a node: WideNode<width>.
-  int depth = 0;   ///< Nodes on the longest way down from the root.
-  int levels = 1;  ///< Of groups in groups, this one included.
+  Bounds3 bounds;      ///< Of everything in the tree, at all times.
+  int width = 8;       ///< Children of a node: WideNode<width>.
+  int depth = 0;       ///< Nodes on the longest way down from the root.
+  int levels = 1;      ///< Of groups in groups, this one included.
+  bool moves = false;  ///< Whether an item has time steps, here or in a group inside.
   /// Entries that a search may have to keep at once, those that it begins with and groups inside
   /// included.
   uint32_t stack_need = 0;

@@ -131,6 +131,9 @@ struct Search {
     return true;
   }
 
+  /// Whether the ray's mask lets it see an item of the current group.
+  bool Sees(uint32_t item) const { return (group->items[item].mask & asked->mask) != 0; }
+
   bool HasHit() const { return nearest.item != HitRecord::kNone; }
 
   /// Whether a hit at the distance of the nearest one wins by its indices.

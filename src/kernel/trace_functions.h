@@ -9,7 +9,7 @@
 
 namespace candela::kernel {
 
-/// The searches, compiled for one instruction set. What they do is said at `Group`.
+/// The searches, compiled for some lanes. What they do is said at `Group`.
 struct TraceFunctions {
   int width;  ///< Of the nodes that they read.
   bool (*intersect)(const GroupData& group, const Ray& ray, HitRecord* hit);
@@ -24,11 +24,16 @@ struct TraceFunctions {
                             size_t count);
 };
 
-extern const TraceFunctions kScalarFunctions;
+/// Those of an instruction set, for groups where everything rests and for others.
+struct IsaFunctions {
+  TraceFunctions resting, moving;
+};
+
+extern const IsaFunctions kScalarFunctions;
 #ifdef CANDELA_X86
-extern const TraceFunctions kAvx2Functions;
-extern const TraceFunctions kAvx512Functions;     ///< For nodes of 8,
-extern const TraceFunctions kAvx512x16Functions;  ///< and of 16.
+extern const IsaFunctions kAvx2Functions;
+extern const IsaFunctions kAvx512Functions;     ///< For nodes of 8,
+extern const IsaFunctions kAvx512x16Functions;  ///< and of 16.
 #endif
 
 }  // namespace candela::kernel

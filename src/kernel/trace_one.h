@@ -9,6 +9,27 @@
 
 namespace candela::kernel {
 
+/// Whether a reference leads to a node, of one kind or the other.
+template <class L>
+[[gnu::always_inline]] inline bool IsInner(Reference reference) {
+  return IsNode(reference) || (L::kMoves && KindOf(reference) == RecordKind::kMovingNode);
+}
+
+/// Tests the boxes of a node.
+template <class L>
+[[gnu::always_inline]] inline BoxHits<typename L::Node> TestNode(
+    const WideSlabs<typename L::Node>& wide, const WideNode<L::kWidth>& node,
+    const Search<L>& search) {
+  return TestBoxes(wide, search.space.slabs, node, L::Node::Broadcast(search.nearest.t));
+}
+template <class L>
+[[gnu::always_inline]] inline BoxHits<typename L::Node> TestNode(
+    const WideSlabs<typename L::Node>& wide, const MovingNode<L::kWidth>& node,
+    const Search<L>& search) {
+  return TestBoxes(wide, search.space.slabs, node, L::Node::Broadcast(search.nearest.t),
+                   search.Time());
+}
+
 /// Looks at something that is neither a node nor a plain triangle leaf. True when the search is
 /// over.
 template <class L, bool kAny>
@@ -26,19 +47,6 @@ template <class L, bool kAny>
     case RecordKind::kLeaveInstance:
       LeaveInstance<L>(search);
       return false;
-    case RecordKind::kMovingNode: {
-      using F = typename L::Node;
-      const auto& node = *reinterpret_cast<const MovingNode<L::kWidth>*>(record);
-      const auto hits = TestBoxes(WideSlabs<F>(search->space.slabs), search->space.slabs, node,
-                                  F::Broadcast(search->nearest.t), search->Time());
-      const uint32_t bits = hits.mask.Bits();
-      if (bits == 0) return false;
-      NodeStack* stack = &search->stack;
-      const NextChild next =
-          OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, search->records, stack);
-      stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
-      return false;
-    }
     default:
       return false;
   }
@@ -51,8 +59,7 @@ void Finish(Search<L>* search) {
   NodeStack* const stack = &search->stack;
   while (true) {
     // The loop below belongs to one group; it is left to enter or leave an instance.
-    const Slabs& slabs = search->space.slabs;
-    const WideSlabs<F> wide(slabs);
+    const WideSlabs<F> wide(search->space.slabs);
     const Record* const records = search->records;
     const int level = search->level;
     while (search->level == level) {
@@ -62,18 +69,27 @@ void Finish(Search<L>* search) {
       if (EntryOf(top) > search->nearest.t) continue;
 
       NextChild next = {ReferenceOf(top), EntryOf(top)};
-      bool is_missed = false;
-      while (IsNode(next.reference)) {
-        const auto& node = *reinterpret_cast<const WideNode<L::kWidth>*>(records + next.reference);
-        const auto hits = TestBoxes(wide, slabs, node, F::Broadcast(search->nearest.t));
+      const auto goes_on = [&](const auto& node) __attribute__((always_inline)) {
+        const auto hits = TestNode<L>(wide, node, *search);
         const uint32_t bits = hits.mask.Bits();
-        is_missed = bits == 0;
-        if (is_missed) break;
+        if (bits == 0) return false;
         if constexpr (kAny) {
-          next = KeepChildren<L::kWidth>(bits, hits.entry, node.child, records, stack);
+          next = KeepChildren<L>(bits, hits.entry, node.child, records, stack);
         } else {
-          next = OrderChildren<L::kWidth, true>(bits, hits.entry, node.child, records, stack);
+          next = OrderChildren<L, true>(bits, hits.entry, node.child, records, stack);
         }
+        return true;
+      };
+      bool is_missed = false;
+      while (IsInner<L>(next.reference)) {
+        if (L::kMoves && !IsNode(next.reference)) {
+          const Record* const record = records + RecordOf(next.reference);
+          is_missed = !goes_on(*reinterpret_cast<const MovingNode<L::kWidth>*>(record));
+        } else {
+          const Record* const record = records + next.reference;
+          is_missed = !goes_on(*reinterpret_cast<const WideNode<L::kWidth>*>(record));
+        }
+        if (is_missed) break;
       }
       if (is_missed) continue;
 

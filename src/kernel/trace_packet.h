@@ -4,6 +4,7 @@
 
 #include "kernel/packet_rays.h"
 #include "kernel/trace_one.h"
+#include "kernel/trace_span.h"
 
 namespace candela::kernel {
 
@@ -173,7 +174,7 @@ class PacketSearch {
         base[place] = base[place - 1];
       }
       base[place] = {entry[lane], static_cast<uint32_t>(lane), &node};
-      PrefetchRecord<kWidth>(records_, node.child[lane]);
+      PrefetchRecord<L>(records_, node.child[lane]);
     });
     size_ += count;
   }
@@ -243,6 +244,7 @@ class PacketSearch {
 
 template <class L>
 void IntersectCoherent(const GroupData& group, const Ray* rays, HitRecord* hits, size_t count) {
+  if (L::kMoves && !IsNode(group.root)) return IntersectScattered<L>(group, rays, hits, count);
   constexpr size_t kRays = PacketSearch<L, false>::kRays;
   PacketSearch<L, false> packet;
   for (size_t begin = 0; begin < count; begin += kRays) {
@@ -254,6 +256,7 @@ void IntersectCoherent(const GroupData& group, const Ray* rays, HitRecord* hits,
 
 template <class L>
 void OccludedCoherent(const GroupData& group, const Ray* rays, uint8_t* occluded, size_t count) {
+  if (L::kMoves && !IsNode(group.root)) return OccludedScattered<L>(group, rays, occluded, count);
   constexpr size_t kRays = PacketSearch<L, true>::kRays;
   PacketSearch<L, true> packet;
   for (size_t begin = 0; begin < count; begin += kRays) {

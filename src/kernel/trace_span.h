@@ -28,15 +28,13 @@ class SpanSearch {
   template <class Limit, class Report>
   void Run(Limit limit, Report report) {
     for (uint32_t i = 0; i < kInFlight; ++i) TakeNext(i, limit, report);
-    while (waiting_[kNodes].size + waiting_[kTriangles].size + waiting_[kOthers].size > 0) {
-      ForAllOf(kNodes, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
-        StepIntoNodes<kCount>(slots);
-        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
-      });
-      ForAllOf(kTriangles, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
-        TestLeaves<kCount>(slots);
-        for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
-      });
+    while (HasWaiting()) {
+      StepAll<WideNode<L::kWidth>>(kNodes, limit, report);
+      TestAll<false>(kTriangles, limit, report);
+      if constexpr (L::kMoves) {
+        StepAll<MovingNode<L::kWidth>>(kMovingNodes, limit, report);
+        TestAll<true>(kCheckedTriangles, limit, report);
+      }
       ForAllOf(kOthers, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>) {
         for (uint32_t k = 0; k < kCount; ++k) {
           Search<L>* search = &slots_[slots[k]].search;
@@ -55,8 +53,9 @@ class SpanSearch {
     size_t index;
   };
 
-  /// The slots whose current record is of one kind.
-  enum Kind : uint32_t { kNodes, kTriangles, kOthers, kKinds };
+  /// The slots whose current record is of one kind. The last two are others where nothing moves.
+  enum Kind : uint32_t { kNodes, kTriangles, kOthers, kMovingNodes, kCheckedTriangles };
+  static constexpr uint32_t kKinds = L::kMoves ? 5 : 3;
   struct List {
     uint32_t size = 0;
     uint8_t slot[kInFlight];
@@ -74,6 +73,28 @@ class SpanSearch {
     uint32_t i = 0;
     for (; i + kTogether <= list.size; i += kTogether) step(list.slot + i, Times<kTogether>());
     for (; i < list.size; ++i) step(list.slot + i, Times<1>());
+  }
+
+  /// Lets all slots on a list of nodes take their step,
+  template <class Node, class Limit, class Report>
+  [[gnu::always_inline]] void StepAll(Kind kind, Limit limit, Report report) {
+    ForAllOf(
+        kind, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>)
+                  __attribute__((always_inline)) {
+                    StepIntoNodes<Node, kCount>(slots);
+                    for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
+                  });
+  }
+
+  /// and all on a list of triangle leaves.
+  template <bool kChecked, class Limit, class Report>
+  [[gnu::always_inline]] void TestAll(Kind kind, Limit limit, Report report) {
+    ForAllOf(
+        kind, [&]<uint32_t kCount>(const uint8_t* slots, Times<kCount>)
+                  __attribute__((always_inline)) {
+                    TestLeaves<kChecked, kCount>(slots);
+                    for (uint32_t k = 0; k < kCount; ++k) Advance(slots[k], limit, report);
+                  });
   }
 
   /// Starts the next ray that can hit anything, if one is left.
@@ -103,9 +124,24 @@ class SpanSearch {
     TakeNext(slot, limit, report);
   }
 
+  /// The list for a kind of record.
+  [[gnu::always_inline]] static uint32_t WaitsAs(RecordKind kind) {
+    if constexpr (L::kMoves) {
+      if (kind == RecordKind::kMovingNode) return kMovingNodes;
+      if (kind == RecordKind::kCheckedTriangles) return kCheckedTriangles;
+    }
+    return std::min<uint32_t>(static_cast<uint32_t>(kind), kOthers);
+  }
+
+  bool HasWaiting() const {
+    uint32_t sum = 0;
+    for (const List& list : waiting_) sum += list.size;
+    return sum > 0;
+  }
+
   [[gnu::always_inline]] void Enqueue(uint32_t slot) {
-    const auto kind = static_cast<uint32_t>(KindOf(slots_[slot].search.current.reference));
-    List& list = waiting_[std::min<uint32_t>(kind, kOthers)];
+    const RecordKind kind = KindOf(slots_[slot].search.current.reference);
+    List& list = waiting_[WaitsAs(kind)];
     list.slot[list.size++] = static_cast<uint8_t>(slot);
   }
 
@@ -118,7 +154,7 @@ class SpanSearch {
       if (EntryOf(entry) > limit) continue;
       stack.size = size;
       search->current = {ReferenceOf(entry), EntryOf(entry)};
-      PrefetchRecord<L::kWidth>(search->records, ReferenceOf(entry));
+      PrefetchRecord<L>(search->records, ReferenceOf(entry));
       return true;
     }
     stack.size = 0;
@@ -127,20 +163,20 @@ class SpanSearch {
 
   /// Puts the children that are met on the stacks of so many rays, from far to near. Several at
   /// once have no part that waits for the other's.
-  template <uint32_t kCount>
+  template <class Node, uint32_t kCount>
   [[gnu::always_inline]] void StepIntoNodes(const uint8_t* slots) {
     using F = typename L::Node;
+    constexpr bool kMoving = std::is_same_v<Node, MovingNode<L::kWidth>>;
     Search<L>* search[kCount];
-    const WideNode<L::kWidth>* node[kCount];
+    const Node* node[kCount];
     F entry[kCount];
     typename F::Mask mask[kCount];
     for (uint32_t k = 0; k < kCount; ++k) {
       search[k] = &slots_[slots[k]].search;
-      node[k] = reinterpret_cast<const WideNode<L::kWidth>*>(search[k]->records +
-                                                             search[k]->current.reference);
-      const Slabs& slabs = search[k]->space.slabs;
-      const auto hits =
-          TestBoxes(WideSlabs<F>(slabs), slabs, *node[k], F::Broadcast(search[k]->nearest.t));
+      const Reference reference = search[k]->current.reference;
+      const uint32_t record = kMoving ? RecordOf(reference) : reference;
+      node[k] = reinterpret_cast<const Node*>(search[k]->records + record);
+      const auto hits = TestNode<L>(WideSlabs<F>(search[k]->space.slabs), *node[k], *search[k]);
       entry[k] = hits.entry;
       mask[k] = hits.mask;
     }
@@ -157,8 +193,8 @@ class SpanSearch {
       } else {
         if (count[k] > 8) [[unlikely]] {
           NodeStack* stack = &search[k]->stack;
-          const NextChild next = OrderChildren<L::kWidth, false>(bits, entry[k], node[k]->child,
-                                                                 search[k]->records, stack);
+          const NextChild next =
+              OrderChildren<L, false>(bits, entry[k], node[k]->child, search[k]->records, stack);
           stack->entry[stack->size++] = MakeEntry(next.entry, next.reference);
           count[k] = 0;
         }
@@ -178,20 +214,29 @@ class SpanSearch {
   }
 
   /// Tests the leaves of so many rays.
-  template <uint32_t kCount>
+  template <bool kChecked, uint32_t kCount>
   [[gnu::always_inline]] void TestLeaves(const uint8_t* slots) {
     alignas(64) float areas[kCount][3][8];
+    alignas(64) float room[kChecked ? kCount : 1][3][8];
+    LeafVertices blended[kCount];
     uint32_t candidates[kCount];
     for (uint32_t k = 0; k < kCount; ++k) {
       const Search<L>& search = slots_[slots[k]].search;
       const TriangleLeaf& leaf = CurrentLeaf(search);
-      candidates[k] = TestEdges<L>(search.space.sheared, leaf, leaf.vertex, areas[k]);
+      if constexpr (kChecked) {
+        blended[k] = VerticesAt<L>(leaf, search.Time(), room[k]);
+        candidates[k] = TestEdges<L>(search.space.sheared, leaf, blended[k], areas[k]);
+        if (!search.Sees(leaf.item)) candidates[k] = 0;
+      } else {
+        candidates[k] = TestEdges<L>(search.space.sheared, leaf, leaf.vertex, areas[k]);
+      }
     }
     for (uint32_t k = 0; k < kCount; ++k) {
       Search<L>* search = &slots_[slots[k]].search;
       const TriangleLeaf& leaf = CurrentLeaf(*search);
-      const bool is_over = FinishTriangles<L, kAny, false>(
-          candidates[k], areas[k], leaf, leaf.vertex, search->current.entry, search);
+      const bool is_over = FinishTriangles<L, kAny, kChecked>(candidates[k], areas[k], leaf,
+                                                              kChecked ? blended[k] : leaf.vertex,
+                                                              search->current.entry, search);
       if (kAny && is_over) search->stack.size = 0;
     }
   }

@@ -7,6 +7,9 @@
 
 namespace candela::kernel {
 
+/// Rows of x, y and z of the vertices of a leaf.
+using LeafVertices = const float (*)[8];
+
 /// The sheared coordinates of a leaf's vertices, and with them the edge areas of all its triangles:
 /// Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", 2013. Vertices that triangles
 /// share are sheared once; nothing is fused, so that an area changes its sign and nothing else
@@ -80,11 +83,12 @@ template <class L, bool kAny, bool kChecked>
   return FinishTriangles<L, kAny, kChecked>(bits, areas, leaf, vertex, entry, search);
 }
 
-/// The vertices of a leaf at a time between two of its steps.
+/// The vertices of a leaf at a time: its own, or blended into `room` when it has time steps.
 template <class L>
-[[gnu::always_inline]] inline void VerticesAt(const TriangleLeaf& leaf, float time,
-                                              float (*vertex)[8]) {
+[[gnu::always_inline]] inline LeafVertices VerticesAt(const TriangleLeaf& leaf, float time,
+                                                      float (*room)[8]) {
   using F = typename L::Leaf;
+  if (leaf.steps == 1) return leaf.vertex;
   const float position = time * static_cast<float>(leaf.steps - 1);
   const uint32_t last = leaf.steps - 2;
   const uint32_t step = std::min(static_cast<uint32_t>(position), last);
@@ -94,17 +98,17 @@ template <class L>
   const std::byte* const first = reinterpret_cast<const std::byte*>(&leaf) + kVertexOffset;
   const float(*rows)[8] = reinterpret_cast<const float(*)[8]>(first) + 3 * step;
   for (int axis = 0; axis < 3; ++axis) {
-    (F::Load(rows[axis]) * before + F::Load(rows[axis + 3]) * after).Store(vertex[axis]);
+    (F::Load(rows[axis]) * before + F::Load(rows[axis + 3]) * after).Store(room[axis]);
   }
+  return room;
 }
 
 /// The same for an item with a mask, a filter or time steps.
 template <class L, bool kAny>
 bool TestCheckedTriangles(const TriangleLeaf& leaf, float entry, Search<L>* search) {
-  if ((search->group->items[leaf.item].mask & search->asked->mask) == 0) return false;
-  if (leaf.steps == 1) return TestTriangles<L, kAny, true>(leaf, leaf.vertex, entry, search);
-  alignas(64) float vertex[3][8];
-  VerticesAt<L>(leaf, search->Time(), vertex);
+  if (!search->Sees(leaf.item)) return false;
+  alignas(64) float room[3][8];
+  const LeafVertices vertex = VerticesAt<L>(leaf, search->Time(), room);
   return TestTriangles<L, kAny, true>(leaf, vertex, entry, search);
 }
 

@@ -21,6 +21,7 @@ Result<void> CopyFacts(const GroupInput& input, std::span<const BuildItem> items
     ItemFacts& facts = group->items.emplace_back();
     facts.count = items[i].count;
     facts.mask = item.mask;
+    group->moves |= items[i].IsMoving();
     total += facts.count;
     if (const auto* triangles = std::get_if<TriangleInput>(&item.content)) {
       if (triangles->steps == 0) {
@@ -34,6 +35,7 @@ Result<void> CopyFacts(const GroupInput& input, std::span<const BuildItem> items
       if (auto usable = CheckInstance(item, *instance, *group); !usable) return usable;
       facts.group = instance->group;
       if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
+      group->moves |= facts.group->data().moves;
       group->levels = std::max(group->levels, 1 + facts.group->data().levels);
     }
   }

@@ -6,6 +6,6 @@
 
 namespace candela::kernel {
 
-const TraceFunctions kAvx2Functions = FunctionsFor<avx2::IsaLanes>();
+const IsaFunctions kAvx2Functions = FunctionsFor<avx2::IsaLanes>();
 
 }  // namespace candela::kernel

@@ -6,7 +6,7 @@
 
 namespace candela::kernel {
 
-const TraceFunctions kAvx512Functions = FunctionsFor<avx512::IsaLanes<8>>();
-const TraceFunctions kAvx512x16Functions = FunctionsFor<avx512::IsaLanes<16>>();
+const IsaFunctions kAvx512Functions = FunctionsFor<avx512::IsaLanes<8>>();
+const IsaFunctions kAvx512x16Functions = FunctionsFor<avx512::IsaLanes<16>>();
 
 }  // namespace candela::kernel

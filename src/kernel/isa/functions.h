@@ -1,5 +1,6 @@
 #pragma once
 
+#include "kernel/moving_lanes.h"
 #include "kernel/trace_functions.h"
 #include "kernel/trace_one.h"
 #include "kernel/trace_packet.h"
@@ -7,9 +8,9 @@
 
 namespace candela::kernel {
 
-/// All searches with the lanes of an instruction set.
+/// All searches with some lanes.
 template <class L>
-constexpr TraceFunctions FunctionsFor() {
+constexpr TraceFunctions SearchesWith() {
   return {L::kWidth,
           &IntersectOne<L>,
           &OccludedOne<L>,
@@ -17,6 +18,12 @@ constexpr TraceFunctions FunctionsFor() {
           &OccludedScattered<L>,
           &IntersectCoherent<L>,
           &OccludedCoherent<L>};
+}
+
+/// All searches with the lanes of an instruction set.
+template <class L>
+constexpr IsaFunctions FunctionsFor() {
+  return {SearchesWith<L>(), SearchesWith<MovingLanes<L>>()};
 }
 
 }  // namespace candela::kernel

@@ -4,6 +4,6 @@
 
 namespace candela::kernel {
 
-const TraceFunctions kScalarFunctions = FunctionsFor<scalar::IsaLanes>();
+const IsaFunctions kScalarFunctions = FunctionsFor<scalar::IsaLanes>();
 
 }  // namespace candela::kernel

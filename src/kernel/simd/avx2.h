@@ -111,6 +111,7 @@ inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
 
 struct IsaLanes {
   static constexpr int kWidth = 8;
+  static constexpr bool kMoves = false;
   using Node = Float8;
   using Leaf = Float8;
   using Index = Index8;

@@ -114,6 +114,7 @@ inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
 template <int W>
 struct IsaLanes {
   static constexpr int kWidth = W;
+  static constexpr bool kMoves = false;
   using Node = std::conditional_t<W == 16, Float16, Float8>;
   using Leaf = Float8;
   using Index = Index8;

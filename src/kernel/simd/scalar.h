@@ -120,7 +120,8 @@ inline void StorePairs(Float8 low, Float8 high, uint64_t* to) {
 
 /// What the traversal is compiled with.
 struct IsaLanes {
-  static constexpr int kWidth = 8;  ///< Children of a node.
+  static constexpr int kWidth = 8;       ///< Children of a node.
+  static constexpr bool kMoves = false;  ///< See `MovingLanes`.
   using Node = Float8;
   using Leaf = Float8;
   using Index = Index8;

@@ -48,7 +48,7 @@ inline std::vector<Family> Families() {
   };
   const auto filmed_glass = [](float r) {
     return std::make_unique<DielectricMaterial>(Medium{1.5f, {}}, Roughness::OfAlpha(r * r),
-                                                std::span<const float>(), FilmInput(1.7f, 200));
+                                                std::span<const Medium>(), FilmInput(1.7f, 200));
   };
   return {
       {"Diffuse",

@@ -237,12 +237,12 @@ TEST_F(SceneSettingsTest, OptionsOfOtherIntegratorsAreWarnedOf) {
             "scene.txt:1:29: warning: 'light_choice'" + no_effect("whitted"));
   EXPECT_EQ(err("Render { integrator direct light_choice power }", {}), "");
   EXPECT_EQ(err("Render { integrator debug view cost bounces 2 light_choice power }", {}), "");
+  EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("view cost"));
   EXPECT_EQ(err("Render { integrator debug view uv bounces 2 }", {"--shadows"}),
             "candela render: warning: --shadows has no effect with the view 'uv'\n"
-            "scene.txt:1:34: warning: 'bounces' has no effect with the view 'uv'\n");
+            "scene.txt:1:35: warning: 'bounces' has no effect with the view 'uv'\n");
   EXPECT_EQ(err("Render { integrator debug bounces 2 }", {}),
-            "scene.txt:1:26: warning: 'bounces' has no effect with the view 'normal'\n");
-  EXPECT_THAT(Candela({"info", "scene.txt"}).out, HasSubstr("view cost"));
+            "scene.txt:1:27: warning: 'bounces' has no effect with the view 'normal'\n");
 }
 
 TEST_F(SceneSettingsTest, OptionsOfDistributionChangeWhatTheyAreAbout) {

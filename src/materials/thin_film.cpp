@@ -184,8 +184,9 @@ float FilmTable::RowOf(float thickness) const {
 }
 
 Rgb FilmTable::At(float cosine, float row) const {
-  const int column =
-      std::clamp(static_cast<int>(std::sqrt(cosine) * (kColumns - 1)), 0, kColumns - 2);
+  // Rounding may leave a cosine of nearly 0 below it.
+  const float place_of_column = std::sqrt(std::max(cosine, 0.0f)) * (kColumns - 1);
+  const int column = std::min(static_cast<int>(place_of_column), kColumns - 2);
   const float a = CosineOf(column), b = CosineOf(column + 1);
   const float part = std::clamp((cosine - a) / (b - a), 0.0f, 1.0f);
   const auto in_row = [&](int index) {

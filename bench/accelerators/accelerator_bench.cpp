@@ -16,6 +16,7 @@
 #include "mesh_cost.h"
 #include "scene_cost.h"
 #include "support/document_table.h"
+#include "support/run_bench.h"
 
 namespace candela {
 namespace {
@@ -76,9 +77,7 @@ Result<void> Run(const BenchOptions& options) {
   const ThreadLimit one_thread(1);
   const Result<std::string> tables = Tables(options);
   if (!tables) return tables.error();
-  if (auto printed = WriteResult(*tables); !printed) return printed;
-  return options.update ? UpdateDocument("docs/performance.md", "accelerator bench", *tables)
-                        : Result<void>();
+  return Publish("accelerator bench", *tables, options.update);
 }
 
 int Main(std::span<const char* const> words) {
@@ -96,9 +95,7 @@ int Main(std::span<const char* const> words) {
                 "of each mesh, about; the default is 20000");
   parser.Group("Results");
   parser.Flag("update", &options.update, "put the table into docs/performance.md");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] { return Run(options); });
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "mesh_rays.h"
 #include "meshes.h"
 #include "support/document_table.h"
+#include "support/run_bench.h"
 
 namespace candela {
 namespace {
@@ -109,9 +110,7 @@ Result<void> Run(const BenchOptions& bench) {
     if (!rows) return rows.error();
     text += *rows;
   }
-  if (auto printed = WriteResult(text); !printed) return printed;
-  return bench.update ? UpdateDocument("docs/performance.md", "motion bench", text)
-                      : Result<void>();
+  return Publish("motion bench", text, bench.update);
 }
 
 int Main(std::span<const char* const> words) {
@@ -130,9 +129,7 @@ int Main(std::span<const char* const> words) {
                 "of each mesh, about; the default is 20000");
   parser.Group("Results");
   parser.Flag("update", &options.update, "put the table into docs/performance.md");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] { return Run(options); });
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "driver/picture_files.h"
 #include "support/document_table.h"
 #include "support/measured_run.h"
+#include "support/run_bench.h"
 #include "tests/support/course_folder.h"
 
 namespace candela {
@@ -144,12 +145,10 @@ Result<void> Run(const BenchOptions& options) {
   std::vector<BenchRow> rows = MakeRows(options);
   if (auto measured = MeasureAll(options, &rows); !measured) return measured;
   const std::string table = Table(rows);
-  if (auto printed = WriteResult(table); !printed) return printed;
   if (options.json) {
     if (auto written = WriteOutput(*options.json, Json(options, rows)); !written) return written;
   }
-  return options.update ? UpdateDocument("docs/performance.md", "course bench", table)
-                        : Result<void>();
+  return Publish("course bench", table, options.update);
 }
 
 int Main(std::span<const char* const> words) {
@@ -168,9 +167,7 @@ int Main(std::span<const char* const> words) {
   parser.Group("Results");
   parser.Option("json", {File("FILE", &options.json)}, "write every run there");
   parser.Flag("update", &options.update, "put the table into docs/performance.md");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] { return Run(options); });
 }
 
 }  // namespace

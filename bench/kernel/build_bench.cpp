@@ -21,6 +21,7 @@
 #include "driver/arg_parser.h"
 #include "driver/console.h"
 #include "support/document_table.h"
+#include "support/run_bench.h"
 #include "tests/kernel/degenerate_scenes.h"
 
 namespace candela {
@@ -167,12 +168,10 @@ int Main(std::span<const char* const> words) {
   parser.Option("threads", {Whole("N", &options.threads, 1, 256)}, "the default is 2");
   parser.Flag("update", &options.update,
               "put the tables into docs/performance.md; in the root of the project");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const ThreadLimit limit(options.threads);
-  const std::string tables = DegenerateTable(options) + '\n' + CancelTable();
-  Result<void> done = WriteResult(tables);
-  if (done && options.update) done = UpdateDocument("docs/performance.md", "build bench", tables);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] {
+    const ThreadLimit limit(options.threads);
+    return Publish("build bench", DegenerateTable(options) + '\n' + CancelTable(), options.update);
+  });
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "meshes.h"
 #include "report.h"
 #include "support/document_table.h"
+#include "support/run_bench.h"
 
 namespace candela {
 namespace {
@@ -202,9 +203,7 @@ int Main(std::span<const char* const> words) {
               "put the tables into docs/performance.md, with --isa the first one; in the root of "
               "the project");
   parser.Example("--scale 0.05 --repetitions 1", "A quick look whether everything works.");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] { return Run(options); });
 }
 
 }  // namespace

@@ -25,6 +25,7 @@
 #include "scene/compile_scene.h"
 #include "support/cpu_seconds.h"
 #include "support/document_table.h"
+#include "support/run_bench.h"
 
 namespace candela {
 namespace {
@@ -109,9 +110,7 @@ Result<void> Run(const BenchOptions& options) {
   const ThreadLimit one_thread(1);
   const Result<std::string> table = Table(options);
   if (!table) return table.error();
-  if (auto printed = WriteResult(*table); !printed) return printed;
-  return options.update ? UpdateDocument("docs/performance.md", "light bench", *table)
-                        : Result<void>();
+  return Publish("light bench", *table, options.update);
 }
 
 int Main(std::span<const char* const> words) {
@@ -130,9 +129,7 @@ int Main(std::span<const char* const> words) {
   parser.Group("Results");
   parser.Flag("scene", &options.print_scene, "print the scene, and measure nothing");
   parser.Flag("update", &options.update, "put the table into docs/performance.md");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&] { return Run(options); });
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "scene_files.h"
 #include "support/document_table.h"
 #include "support/measured_run.h"
+#include "support/run_bench.h"
 
 namespace candela {
 namespace {
@@ -293,12 +294,12 @@ int Main(std::span<const char* const> words) {
   parser.Option("json", {File("FILE", &options.json)}, "write everything there");
   parser.Flag("update", &options.update,
               "put the tables into docs/performance.md; in the root of the project");
-  if (const auto status = ReadCommandLine(parser, words)) return *status;
-  if (options.update && (options.only_ours || !options.scenes.empty())) {
-    return PrintError(kName, {ErrorCode::kUsage, "--update needs all scenes and both programs"});
-  }
-  const Result<void> done = Run(options);
-  return done ? 0 : PrintError(kName, done.error());
+  return RunBench(parser, words, [&]() -> Result<void> {
+    if (options.update && (options.only_ours || !options.scenes.empty())) {
+      return Error{ErrorCode::kUsage, "--update needs all scenes and both programs"};
+    }
+    return Run(options);
+  });
 }
 
 }  // namespace

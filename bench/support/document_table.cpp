@@ -1,6 +1,7 @@
 #include "document_table.h"
 
 #include "base/files.h"
+#include "driver/console.h"
 #include "driver/picture_files.h"
 
 namespace candela {
@@ -17,6 +18,11 @@ Result<void> UpdateDocument(const std::filesystem::path& document, const std::st
                                         " -->', and below it one with 'end'"};
   }
   return WriteOutput(document, old->substr(0, first) + begin + text + old->substr(last));
+}
+
+Result<void> Publish(const std::string& name, const std::string& tables, bool update) {
+  if (auto printed = WriteResult(tables); !printed) return printed;
+  return update ? UpdateDocument("docs/performance.md", name, tables) : Result<void>();
 }
 
 }  // namespace candela

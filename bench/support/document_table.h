@@ -12,4 +12,7 @@ namespace candela {
 Result<void> UpdateDocument(const std::filesystem::path& document, const std::string& name,
                             const std::string& text);
 
+/// Prints tables, and with `update` puts them under that name into docs/performance.md.
+Result<void> Publish(const std::string& name, const std::string& tables, bool update);
+
 }  // namespace candela

@@ -44,10 +44,8 @@ std::unique_ptr<Workspace> AmbientOcclusionIntegrator::MakeWorkspace() const {
 void AmbientOcclusionIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
                                        const SampleOutput& output) const {
   Batch* batch = static_cast<Batch*>(workspace);
-  for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
-    const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, output.Part(begin, count));
-  }
+  ForEachPart(samples, output, kMostTogether,
+              [&](auto part, const SampleOutput& of_part) { Follow(part, batch, of_part); });
 }
 
 void AmbientOcclusionIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,

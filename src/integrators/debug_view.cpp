@@ -114,10 +114,8 @@ void DebugIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* w
     ShowEffort(samples, batch, output);
     return;
   }
-  for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
-    const size_t count = std::min(kMostTogether, samples.size() - begin);
-    ShowSurfaces(samples.subspan(begin, count), batch, output.Part(begin, count));
-  }
+  ForEachPart(samples, output, kMostTogether,
+              [&](auto part, const SampleOutput& of_part) { ShowSurfaces(part, batch, of_part); });
 }
 
 void DebugIntegrator::ShowSurfaces(std::span<const SampleRequest> samples, Batch* batch,

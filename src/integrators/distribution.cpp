@@ -56,10 +56,8 @@ std::unique_ptr<Workspace> DistributionIntegrator::MakeWorkspace() const {
 void DistributionIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* workspace,
                                    const SampleOutput& output) const {
   Batch* batch = static_cast<Batch*>(workspace);
-  for (size_t begin = 0; begin < samples.size(); begin += together_) {
-    const size_t count = std::min(together_, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, output.Part(begin, count));
-  }
+  ForEachPart(samples, output, together_,
+              [&](auto part, const SampleOutput& of_part) { Follow(part, batch, of_part); });
 }
 
 void DistributionIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
@@ -153,19 +151,9 @@ void DistributionIntegrator::EndMisses(Batch* batch, const SampleOutput& output)
 }
 
 void DistributionIntegrator::RecordSurfaces(Batch* batch, const SampleOutput& output) const {
-  PathQueue<TreeRay>& paths = batch->paths;
-  for (size_t i = 0; i < paths.size(); ++i) {
-    const Ray& ray = paths.rays()[i];
-    const HitRecord& hit = paths.hits()[i];
-    const uint32_t sample = paths.states()[i].sample;
-    const SurfacePoint point = scene_.SurfaceAt(ray, hit);
-    SampleLayers& layers = output.layers[sample];
-    const PhongTerms terms = scene_.material(hit).Phong(point);
-    const Rgb transmittance = scene_.material(hit).Optics(point).transmittance;
-    layers.albedo = Min(terms.diffuse + terms.specular + transmittance, Rgb{1, 1, 1});
-    if (output.WantsSurface(sample)) {
-      layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
-    }
+  for (size_t i = 0; i < batch->paths.size(); ++i) {
+    RecordCourseSurface(scene_, batch->paths.rays()[i], batch->paths.hits()[i],
+                        batch->paths.states()[i].sample, output);
   }
 }
 

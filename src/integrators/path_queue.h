@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "geometry/hit_record.h"
 #include "geometry/ray.h"
+#include "integrators/integrator.h"
 #include "scene/scene.h"
 
 namespace candela {
@@ -13,6 +15,16 @@ namespace candela {
 /// So many samples are followed together: enough to keep the memory busy, few enough to stay in the
 /// cache.
 constexpr size_t kMostTogether = 1024;
+
+/// Calls `follow(samples, output)` for so many samples after the others, with what belongs to them.
+template <class Follow>
+void ForEachPart(std::span<const SampleRequest> samples, const SampleOutput& output,
+                 size_t together, Follow follow) {
+  for (size_t begin = 0; begin < samples.size(); begin += together) {
+    const size_t count = std::min(together, samples.size() - begin);
+    follow(samples.subspan(begin, count), output.Part(begin, count));
+  }
+}
 
 /// Makes room for the first `size` entries; those behind them, and their memory, are kept for
 /// later.

@@ -19,6 +19,19 @@ SampleLayers::Surface RecordSurface(const Scene& scene, const Ray& ray, const Hi
   return surface;
 }
 
+void RecordCourseSurface(const Scene& scene, const Ray& ray, const HitRecord& hit, uint32_t sample,
+                         const SampleOutput& output) {
+  const SurfacePoint point = scene.SurfaceAt(ray, hit);
+  const Material& material = scene.material(hit);
+  const PhongTerms terms = material.Phong(point);
+  SampleLayers& layers = output.layers[sample];
+  layers.albedo =
+      Min(terms.diffuse + terms.specular + material.Optics(point).transmittance, Rgb{1, 1, 1});
+  if (output.WantsSurface(sample)) {
+    layers.surface = RecordSurface(scene, ray, hit, point, output.needs_uv);
+  }
+}
+
 Rgb AlbedoOf(const Bsdf& bsdf) {
   Rgb albedo;
   for (int i = 0; i < bsdf.count; ++i) {

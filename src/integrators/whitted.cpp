@@ -68,10 +68,9 @@ void WhittedIntegrator::Trace(std::span<const SampleRequest> samples, Workspace*
                               const SampleOutput& output) const {
   NoStory nobody;
   Batch* batch = static_cast<Batch*>(workspace);
-  for (size_t begin = 0; begin < samples.size(); begin += kMostTogether) {
-    const size_t count = std::min(kMostTogether, samples.size() - begin);
-    Follow(samples.subspan(begin, count), batch, output.Part(begin, count), &nobody);
-  }
+  ForEachPart(samples, output, kMostTogether, [&](auto part, const SampleOutput& of_part) {
+    Follow(part, batch, of_part, &nobody);
+  });
 }
 
 std::vector<std::string> WhittedIntegrator::Explain(const SampleRequest& sample) const {
@@ -148,17 +147,9 @@ void WhittedIntegrator::EndMisses(uint32_t bounce, Batch* batch, const SampleOut
 }
 
 void WhittedIntegrator::RecordSurfaces(Batch* batch, const SampleOutput& output) const {
-  PathQueue<Path>& paths = batch->paths;
-  for (size_t i = 0; i < paths.size(); ++i) {
-    const Ray& ray = paths.rays()[i];
-    const HitRecord& hit = paths.hits()[i];
-    const SurfacePoint point = scene_.SurfaceAt(ray, hit);
-    SampleLayers& layers = output.layers[paths.states()[i].sample];
-    const PhongTerms terms = scene_.material(hit).Phong(point);
-    layers.albedo = Min(terms.diffuse + terms.specular, Rgb{1, 1, 1});
-    if (output.WantsSurface(paths.states()[i].sample)) {
-      layers.surface = RecordSurface(scene_, ray, hit, point, output.needs_uv);
-    }
+  for (size_t i = 0; i < batch->paths.size(); ++i) {
+    RecordCourseSurface(scene_, batch->paths.rays()[i], batch->paths.hits()[i],
+                        batch->paths.states()[i].sample, output);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "materials/table_place.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -42,15 +43,6 @@ size_t CellOf(int row, int column) {
 float Column(float cosine) {
   return std::sqrt(cosine) * (kColumns - 1);
 }
-
-/// Between two neighbours of a list.
-struct Place {
-  Place(float position, int size)
-      : index(std::clamp(static_cast<int>(position), 0, std::max(0, size - 2))),
-        fraction(size > 1 ? std::clamp(position - static_cast<float>(index), 0.0f, 1.0f) : 0) {}
-  int index;
-  float fraction;
-};
 
 float Blend(float a, float b, float t) {
   return a * (1 - t) + b * t;
@@ -209,17 +201,17 @@ void EnergyTable::Summarise() {
 }
 
 float EnergyTable::At(float cosine, float row) const {
-  const Place x(Column(cosine), kColumns), y(row, rows_);
+  const TablePlace x(Column(cosine), kColumns), y(row, rows_);
   const float* here = &shares_[CellOf(y.index, x.index)];
-  const float lower = Blend(here[0], here[1], x.fraction);
-  if (y.fraction == 0) return lower;
-  return Blend(lower, Blend(here[kColumns], here[kColumns + 1], x.fraction), y.fraction);
+  const float lower = Blend(here[0], here[1], x.part);
+  if (y.part == 0) return lower;
+  return Blend(lower, Blend(here[kColumns], here[kColumns + 1], x.part), y.part);
 }
 
 float EnergyTable::Mean(float row) const {
-  const Place y(row, rows_);
+  const TablePlace y(row, rows_);
   const float* here = &means_[static_cast<size_t>(y.index)];
-  return y.fraction == 0 ? here[0] : Blend(here[0], here[1], y.fraction);
+  return y.part == 0 ? here[0] : Blend(here[0], here[1], y.part);
 }
 
 float EnergyTable::MeanOfProduct(const EnergyTable& first, int first_row, int rows,
@@ -236,9 +228,9 @@ float EnergyTable::MeanOfProduct(const EnergyTable& first, int first_row, int ro
 }
 
 float EnergyTable::MissingAt(int column, float row) const {
-  const Place y(row, rows_);
+  const TablePlace y(row, rows_);
   const float* here = &missing_[CellOf(y.index, column)];
-  return y.fraction == 0 ? here[0] : Blend(here[0], here[kColumns], y.fraction);
+  return y.part == 0 ? here[0] : Blend(here[0], here[kColumns], y.part);
 }
 
 Vec3 EnergyTable::SampleMissing(float row, Vec2 u) const {
@@ -264,7 +256,7 @@ Vec3 EnergyTable::SampleMissing(float row, Vec2 u) const {
 }
 
 float EnergyTable::MissingPdf(float cosine, float row) const {
-  const int interval = Place(Column(cosine), kColumns).index;
+  const int interval = TablePlace(Column(cosine), kColumns).index;
   const float t = (cosine * cosine - SquareAt(interval)) / SquaresBetween(interval);
   const float density =
       Blend(MissingAt(interval, row), MissingAt(interval + 1, row), std::clamp(t, 0.0f, 1.0f));

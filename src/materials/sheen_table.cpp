@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/table_place.h"
 #include "math/elementary.h"
 
 namespace candela {
@@ -49,17 +50,7 @@ float ShareOf(float roughness, float cosine) {
   return static_cast<float>(sum * 2 * kPi / (kHeights * kTurns));
 }
 
-/// Between two neighbours.
-struct Place {
-  Place(float position, int size)
-      : index(std::clamp(static_cast<int>(position), 0, size - 2)),
-        fraction(std::clamp(position - static_cast<float>(index), 0.0f, 1.0f)) {}
-  float Blend(float a, float b) const { return a * (1 - fraction) + b * fraction; }
-  int index;
-  float fraction;
-};
-
-Place RowOf(float roughness) {
+TablePlace RowOf(float roughness) {
   constexpr float kRange = 1 - SheenTable::kSmoothest;
   return {(roughness - SheenTable::kSmoothest) / kRange * (kRows - 1), kRows};
 }
@@ -90,7 +81,7 @@ const SheenTable& SheenTable::Get() {
 }
 
 float SheenTable::ScaleOf(float roughness) const {
-  const Place row = RowOf(roughness);
+  const TablePlace row = RowOf(roughness);
   const float* here = &scales_[static_cast<size_t>(row.index)];
   return row.Blend(here[0], here[1]);
 }
@@ -100,7 +91,7 @@ float SheenTable::Value(float roughness, const Vec3& wo, const Vec3& wi) const {
 }
 
 float SheenTable::At(float cosine, float roughness) const {
-  const Place row = RowOf(roughness), column(std::sqrt(cosine) * (kColumns - 1), kColumns);
+  const TablePlace row = RowOf(roughness), column(std::sqrt(cosine) * (kColumns - 1), kColumns);
   const float* here = &shares_[CellOf(row.index, column.index)];
   return row.Blend(column.Blend(here[0], here[1]),
                    column.Blend(here[kColumns], here[kColumns + 1]));

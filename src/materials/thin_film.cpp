@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "materials/table_place.h"
 #include "math/elementary.h"
 #include "math/wavelength.h"
 
@@ -101,15 +102,6 @@ float CosineOf(int column) {
   return root * root;
 }
 
-/// Between which two rows a thickness lies.
-struct RowPlace {
-  RowPlace(float row, int rows)
-      : index(std::clamp(static_cast<int>(row), 0, std::max(0, rows - 2))),
-        part(rows > 1 ? std::clamp(row - static_cast<float>(index), 0.0f, 1.0f) : 0) {}
-  int index;
-  float part;
-};
-
 }  // namespace
 
 double FilmReflectance(const FilmStack& stack, double thickness, double wavelength, double cosine) {
@@ -193,7 +185,7 @@ Rgb FilmTable::At(float cosine, float row) const {
     const Rgb* here = Row(index) + column;
     return here[0] * (1 - part) + here[1] * part;
   };
-  const RowPlace place(row, rows_);
+  const TablePlace place(row, rows_);
   if (place.part == 0) return in_row(place.index);
   return in_row(place.index) * (1 - place.part) + in_row(place.index + 1) * place.part;
 }
@@ -203,7 +195,7 @@ Rgb FilmTable::Over(Rgb bare, float cosine, float row) const {
 }
 
 Rgb FilmTable::Mean(float row) const {
-  const RowPlace place(row, rows_);
+  const TablePlace place(row, rows_);
   const Rgb* here = &means_[static_cast<size_t>(place.index)];
   return place.part == 0 ? here[0] : here[0] * (1 - place.part) + here[1] * place.part;
 }

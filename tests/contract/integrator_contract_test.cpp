@@ -115,7 +115,9 @@ TEST_P(EveryIntegrator, EveryCameraShowsTheBackgroundWhereItShowsSomething) {
 
 // One that cannot tell groups apart says so; then nobody asks it.
 TEST_P(EveryIntegrator, GroupsOfLightsAreTogetherAllLight) {
-  if (!GetParam().has_light_groups) GTEST_SKIP();
+  if (!GetParam().has_light_groups) {
+    GTEST_SKIP() << GetParam().name << " does not tell groups apart, and refuses them";
+  }
   const auto scene = CompileText(
       std::string(kCamera) +
       "Background { color 0.2 0.3 0.5 group sky }\n"

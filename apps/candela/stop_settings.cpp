@@ -19,9 +19,10 @@ std::string WhyNot(std::string_view integrator) {
   return fmt::format("how many light paths '{}' follows is known before it begins", integrator);
 }
 
-/// Why the noise of a picture cannot be told.
-std::string WhyNoNoise(std::string_view integrator, const SamplerEntry& sampler) {
-  if (const std::string why = WhyNot(integrator); !why.empty()) return why;
+/// Why a picture cannot stop for its noise; empty if it can.
+std::string WhyNoNoise(const RenderRequest& request, const SamplerEntry& sampler) {
+  if (const std::string why = WhyNot(request.integrator); !why.empty()) return why;
+  if (request.checkpoint) return "a checkpoint holds pixels that all have as many samples";
   if (sampler.has_independent_pixels) return {};
   return fmt::format("the noise of pixels with the sampler '{}' depends on their neighbours",
                      sampler.name);
@@ -53,17 +54,16 @@ void StopSettings::CheckScene(const ArgParser& parser, const ParamSet& settings,
     const Param* param = settings.Find(name);
     if (!*value || why.empty() || !param || parser.Has(option)) return;
     // No option could switch it off for whoever asks for what does not go with it.
-    if (parser.Has("integrator") || parser.Has("sampler")) {
+    if (parser.Has("integrator") || parser.Has("sampler") || parser.Has("checkpoint")) {
       diagnostics->Warning(param->where, fmt::format("'{}' has no effect: {}", name, why));
     } else {
       diagnostics->Error(param->where, fmt::format("'{}': {}", name, why));
     }
     value->reset();
   };
-  const std::string_view integrator = request_.integrator;
-  check("noise-target", "noise_target", WhyNoNoise(integrator, *FindSampler(sampler)),
+  check("noise-target", "noise_target", WhyNoNoise(request_, *FindSampler(sampler)),
         &request_.render.noise_target);
-  check("time-limit", "time_limit", WhyNot(integrator), &request_.render.time_limit);
+  check("time-limit", "time_limit", WhyNot(request_.integrator), &request_.render.time_limit);
 }
 
 Result<void> StopSettings::Check(const ArgParser& parser) const {
@@ -77,13 +77,8 @@ Result<void> StopSettings::Check(const ArgParser& parser) const {
   if (render.noise_target) {
     for (const SamplerEntry& sampler : Samplers()) {
       if (sampler.kind != render.sampler.kind) continue;
-      const std::string why = WhyNoNoise(request_.integrator, sampler);
+      const std::string why = WhyNoNoise(request_, sampler);
       if (!why.empty()) return UsageError("--noise-target: " + why);
-    }
-    if (request_.checkpoint) {
-      return UsageError(
-          "--checkpoint and --noise-target: a checkpoint holds pixels that all have as many "
-          "samples");
     }
   }
   const std::string why = WhyNot(request_.integrator);

@@ -117,6 +117,8 @@ class RenderRun {
   /// should not puzzle anyone.
   void WarnOfUnseenLights() const {
     if (request_.integrator != "whitted") return;
+    // What is gathered is light of all of them.
+    if (request_.integrator_options.indirect_samples.value_or(0) > 0) return;
     for (const auto& light : loaded_->scene->lights()) {
       if (!light->IsSurface()) continue;
       const bool is_sampled = request_.integrator_options.light_samples.value_or(0) > 0;

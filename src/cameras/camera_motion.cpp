@@ -9,10 +9,14 @@ namespace {
 
 /// The times in [0, 1] at which a polynomial c + b t + a t^2 that is not 0 may be.
 std::vector<double> RootsOf(double a, double b, double c) {
-  if (a == 0) return b == 0 ? std::vector<double>() : std::vector<double>{-c / b};
-  // A double root, as of directions that touch, may have been rounded away.
+  // A double root, as of directions that touch, may have been rounded away. Of the two ways to
+  // write a root each takes the one in which nothing cancels.
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
-  return {(-b - root) / (2 * a), (-b + root) / (2 * a)};
+  const double q = -(b + std::copysign(root, b)) / 2;
+  std::vector<double> roots;
+  if (a != 0) roots.push_back(q / a);
+  if (q != 0) roots.push_back(c / q);
+  return roots;
 }
 
 /// Whether `up` says which way is up all the time. The product of direction and up, of which both

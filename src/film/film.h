@@ -92,6 +92,12 @@ class FilmTile {
   /// What is known of a pixel; valid as long as the tile is not changed.
   PixelPart PartAt(int x, int y) const;
 
+  /// Memory in bytes that a series takes of each pixel.
+  static uint64_t BytesOfSeries(bool has_layers, size_t groups) {
+    return sizeof(PixelSums) + sizeof(PixelSpread) + sizeof(Vec3d) +
+           (has_layers ? sizeof(PixelLayers) : 0) + groups * sizeof(Vec3d);
+  }
+
  private:
   friend class Film;
 

@@ -92,7 +92,7 @@ DebugIntegrator::DebugIntegrator(const Scene& scene, const IntegratorOptions& op
   if (unknown.HasErrors()) {
     worker_ = WhittedIntegrator::Create(scene, options).value();
   } else {
-    worker_ = std::make_unique<PathIntegrator>(scene, options);
+    worker_ = PathIntegrator::Create(scene, options).value();
   }
 }
 

@@ -1,6 +1,7 @@
 // Where the trees of rays go on.
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/spawn_ray.h"
 #include "integrators/course_rays.h"
@@ -19,8 +20,9 @@ constexpr uint32_t kForks = 4;
 /// Of the dimensions of a ray those of the choice between the two.
 constexpr uint32_t kChoice = 2;
 
+/// Of the magnitudes: the course knows colours that take away.
 float Largest(Rgb c) {
-  return std::max({c.x, c.y, c.z});
+  return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
 }
 
 }  // namespace

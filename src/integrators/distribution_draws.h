@@ -17,7 +17,7 @@ enum class Branch : uint32_t {
 };
 
 /// The name of a ray's random numbers, from that of the ray before. Names far apart in the tree may
-/// be the same by chance, once in four billion times.
+/// be the same by chance, once in 268 million times.
 uint32_t NameOf(uint32_t parent, uint32_t branch);
 
 /// A direction about the unit vector `axis`, with the density of a power of the cosine to it: the

@@ -36,7 +36,7 @@ std::vector<Body> BodiesOf(const Scene& scene) {
   for (size_t i = 0; i < scene.objects().size(); ++i) {
     const SceneObject& object = scene.objects()[i];
     if (object.interior == SceneObject::kNoInterior) continue;
-    bodies.push_back({i, TransformBounds(object.world_from_object, object.shape->ObjectBounds())});
+    bodies.push_back({i, object.WorldBounds()});
   }
   std::stable_sort(bodies.begin(), bodies.end(),
                    [](const Body& a, const Body& b) { return a.box.min.x < b.box.min.x; });

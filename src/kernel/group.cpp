@@ -97,8 +97,10 @@ bool Group::HasUnbounded() const {
 }
 
 uint64_t Group::MemoryBytes() const {
-  if (data_.structure) return data_.structure->MemoryBytes();
-  return data_.records.size() * sizeof(kernel::Record) +
+  uint64_t bytes = 0;
+  for (const auto& item : data_.items) bytes += item.steps.capacity() * sizeof(Mat4);
+  if (data_.structure) return bytes + data_.structure->MemoryBytes();
+  return bytes + data_.records.size() * sizeof(kernel::Record) +
          data_.triangle_ids.capacity() * sizeof(uint32_t);
 }
 

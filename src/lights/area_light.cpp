@@ -14,7 +14,7 @@ namespace candela {
 
 std::unique_ptr<Light> AreaLight::Create(ParamReader* params, const LightContext& context) {
   const Rgb tint = params->NonNegativeColor("radiance", {1, 1, 1});
-  const Rgb radiance = tint * ReadTemperature(params);
+  const Rgb radiance = ByTemperature(params, tint);
   const bool is_two_sided = params->Flag("two_sided", true);
   if (!context.has_object) {
     params->Error(params->Where("type"),

@@ -27,7 +27,7 @@ DirectionalLight::DirectionalLight(Vec3 direction, Rgb color, float angle_degree
 std::unique_ptr<Light> DirectionalLight::Create(ParamReader* params, const LightContext&) {
   const Vec3 direction = params->RequiredDirection("direction");
   const Rgb tint = params->Color("color", {1, 1, 1});
-  const Rgb color = tint * ReadTemperature(params);
+  const Rgb color = ByTemperature(params, tint);
   params->Positive("attenuation", 20);  // The course's format allows it here, without effect.
   const float angle = params->NonNegative("angle", 0);
   if (angle >= 180) {

@@ -38,7 +38,7 @@ IesLight::IesLight(Vec3 position, const Frame& frame, std::shared_ptr<const IesP
 std::unique_ptr<Light> IesLight::Create(ParamReader* params, const LightContext& context) {
   const ParamWord file = params->RequiredPath("file");
   const Rgb tint = params->Color("color", {1, 1, 1});
-  const Rgb color = tint * ReadTemperature(params);
+  const Rgb color = ByTemperature(params, tint);
   const float scale = params->NonNegative("scale", 0.001f);
   if (file.text.empty()) return nullptr;
   const std::shared_ptr<const IesFile> lamp =

@@ -33,7 +33,7 @@ Angle AngleOf(float cosine) {
 }  // namespace
 
 LightTree::LightTree(std::span<const LightReach> lights) {
-  CHECK(!lights.empty() && lights.size() < (size_t{1} << 31));
+  CHECK(!lights.empty() && lights.size() < (size_t{1} << 30));
   LightTreeBuilder builder(lights);
   trails_.resize(lights.size());
   nodes_.reserve(2 * lights.size() - 1);

@@ -18,7 +18,7 @@ namespace candela {
 /// called concurrently.
 class LightTree {
  public:
-  /// There are lights, fewer than 2^31, none of them far and each with power.
+  /// There are lights, fewer than 2^30, none of them far and each with power.
   explicit LightTree(std::span<const LightReach> lights);
 
   struct Pick {

@@ -13,7 +13,7 @@ namespace candela {
 
 std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContext& context) {
   const Rgb tint = params->Color("color", {1, 1, 1});
-  const Rgb color = tint * ReadTemperature(params);
+  const Rgb color = ByTemperature(params, tint);
   const Falloff falloff = Falloff::Read(params);
   params->Vector("direction", {0, 0, -1});  // The course's format allows it here, without effect.
   return std::make_unique<PointLight>(context.world_from_node.Point({0, 0, 0}), color, falloff);

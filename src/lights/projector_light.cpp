@@ -98,7 +98,7 @@ std::unique_ptr<Light> ProjectorLight::Create(ParamReader* params, const LightCo
   const float fov = params->RequiredAngle("fov");
   const float aspect = params->Positive("aspect", 1);
   const Rgb tint = params->Color("color", {1, 1, 1});
-  const Rgb color = tint * ReadTemperature(params);
+  const Rgb color = ByTemperature(params, tint);
   const float attenuation = params->Positive("attenuation", 20);
 
   const auto are_parallel = [](Vec3 a, Vec3 b) {

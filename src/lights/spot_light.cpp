@@ -25,7 +25,7 @@ std::unique_ptr<Light> SpotLight::Create(ParamReader* params, const LightContext
   const float angle = params->RequiredAngle("angle");
   const float blend = params->Fraction("blend", 0.15f);
   const Rgb tint = params->Color("color", {1, 1, 1});
-  const Rgb color = tint * ReadTemperature(params);
+  const Rgb color = ByTemperature(params, tint);
   const Falloff falloff = Falloff::Read(params);
   Vec3 in_world = context.world_from_node.Vector(direction);
   if (in_world == Vec3() || !IsFinite(in_world)) {

@@ -6,15 +6,20 @@
 
 namespace candela {
 
-Rgb ReadTemperature(ParamReader* params) {
-  constexpr Rgb kWhite{1, 1, 1};
-  if (!params->Has("temperature")) return kWhite;
+Rgb ByTemperature(ParamReader* params, Rgb color) {
+  if (!params->Has("temperature")) return color;
   const float kelvin = params->Number("temperature", kLeastTemperature);
-  if (kelvin >= kLeastTemperature && kelvin <= kMostTemperature) return BlackBodyColour(kelvin);
+  if (!(kelvin >= kLeastTemperature && kelvin <= kMostTemperature)) {
+    params->Error(params->Where("temperature"),
+                  fmt::format("'temperature' expects a number of kelvin from {} to {}, found '{}'",
+                              kLeastTemperature, kMostTemperature, kelvin));
+    return color;
+  }
+  const Rgb tinted = color * BlackBodyColour(kelvin);
+  if (IsFinite(tinted)) return tinted;
   params->Error(params->Where("temperature"),
-                fmt::format("'temperature' expects a number of kelvin from {} to {}, found '{}'",
-                            kLeastTemperature, kMostTemperature, kelvin));
-  return kWhite;
+                "'temperature' makes a colour this large too large for numbers");
+  return color;
 }
 
 }  // namespace candela

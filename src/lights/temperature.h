@@ -5,8 +5,8 @@
 
 namespace candela {
 
-/// What the parameter `temperature` multiplies the colour of a light by: the colour of a black body
-/// of so many kelvin, of luminance 1. White when it is not given, or wrong, which is reported.
-Rgb ReadTemperature(ParamReader* params);
+/// A colour by the parameter `temperature`: multiplied by that of a black body of so many kelvin,
+/// of luminance 1. As it is when the parameter is not given, or wrong, which is reported.
+Rgb ByTemperature(ParamReader* params, Rgb color);
 
 }  // namespace candela

@@ -53,6 +53,7 @@ void NoiseBlock::End() {
 }
 
 bool NoiseBlock::IsQuiet(const FilmTile& tile) const {
+  if (done_ < 2) return false;  // One sample does not tell how far it may be off.
   const PixelWindow& window = tile.Window();
   size_t noisy = 0;
   for (int y = window.y0; y < window.y1; ++y) {

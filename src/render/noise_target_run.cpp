@@ -71,15 +71,13 @@ void NoiseTargetRun::Count(const NoiseBlock& block) {
 double NoiseTargetRun::Progress() const {
   const double of_blocks =
       static_cast<double>(blocks_done_.load()) / static_cast<double>(blocks_.Count());
-  return std::max(of_blocks, limit_.PartOver());
+  return std::max(of_blocks, limit_.Progress());
 }
 
 uint64_t NoiseTargetRun::BytesPerPixel(const RenderOptions& options) {
   if (!options.time_limit) return 0;
-  const uint64_t of_series = sizeof(PixelSums) + sizeof(PixelSpread) +
-                             (options.layers.IsEmpty() ? 0 : sizeof(PixelLayers)) +
-                             options.light_groups.size() * sizeof(Vec3d);
-  return 3 * of_series;  // Two that run, and what was kept of one of them.
+  // Two that run, and what was kept of one of them.
+  return 3 * FilmTile::BytesOfSeries(!options.layers.IsEmpty(), options.light_groups.size());
 }
 
 }  // namespace candela

@@ -103,7 +103,7 @@ double RenderJob::Progress() const {
   if (noise_run_) return noise_run_->Progress();
   const double of_samples =
       static_cast<double>(SamplesDone()) / static_cast<double>(SamplesTotal());
-  return std::max(of_samples, limit_.PartOver());
+  return std::max(of_samples, limit_.Progress());
 }
 
 double RenderJob::NoisyPart() const {
@@ -171,6 +171,7 @@ Result<void> RenderJob::Run(const CancelToken& cancel, FilmEncoder* encoder,
   const SamplePlacer placer(options_);
   Workers workers(static_cast<size_t>(ThreadCount()));
   for (auto& worker : workers) worker = std::make_unique<Worker>(this, placer, cancel);
+  limit_.Start();
   Result<void> done;
   if (noise_run_) {
     noise_run_->Run(cancel,
@@ -227,9 +228,7 @@ uint64_t EstimateMemory(const RenderOptions& options, const Integrator& integrat
   if (options.noise_target) {
     per_pixel += NoiseTargetRun::BytesPerPixel(options);
   } else if (options.time_limit) {
-    per_pixel += sizeof(PixelSums);
-    if (!options.layers.IsEmpty()) per_pixel += sizeof(PixelSpread) + sizeof(PixelLayers);
-    per_pixel += options.light_groups.size() * sizeof(Vec3d);
+    per_pixel += FilmTile::BytesOfSeries(!options.layers.IsEmpty(), options.light_groups.size());
   }
   for (size_t i = 0; i < kLayerCount; ++i) {
     // The words of the film, and those of the file.

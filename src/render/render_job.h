@@ -99,7 +99,7 @@ class RenderJob {
   DroppedSamples dropped_;
   ClampLoss lost_;
   RenderCounters counters_;
-  const TimeLimit limit_;
+  TimeLimit limit_;
   std::optional<NoiseTargetRun> noise_run_;
 };
 

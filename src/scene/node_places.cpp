@@ -11,6 +11,9 @@
 namespace candela {
 namespace {
 
+/// Small texts must not ask for large memory: so many matrices take 268 MB.
+constexpr size_t kMostMatrices = size_t{1} << 21;
+
 /// The matrix at the moment `index` of `parts` even parts of the time, of `steps`, whose moments
 /// are among them.
 Mat4 MatrixAtMoment(const std::vector<Mat4>& steps, size_t index, size_t parts) {
@@ -57,11 +60,25 @@ NodePlace Product(const NodePlace& parent, const NodePlace& node, const SourceLo
 std::vector<NodePlace> PlacesOfNodes(const SceneSpec& spec, Diagnostics* diagnostics) {
   std::vector<NodePlace> places;
   places.reserve(spec.nodes.size());
+  size_t matrices = 0;
   for (const NodeSpec& node : spec.nodes) {
     NodePlace own{node.motion.empty() ? node.parent_from_node : node.motion.front(), node.motion};
     places.push_back(node.parent == NodeSpec::kNoParent
                          ? std::move(own)
                          : Product(places[node.parent], own, node.transform_where, diagnostics));
+    matrices += places.back().motion.size();
+    if (matrices <= kMostMatrices) continue;
+    // It may lie where it does by the keyframes around it.
+    const NodeSpec* placed = &node;
+    while (placed->transform_where.line == 0) placed = &spec.nodes[placed->parent];
+    diagnostics->Error(placed->transform_where, [&] {
+      return fmt::format(
+          "the nodes up to here move in more than {} steps together, for which there is no room; "
+          "keyframes with smaller turns and fewer nodes within moving ones take fewer",
+          kMostMatrices);
+    });
+    places.resize(spec.nodes.size());
+    break;
   }
   return places;
 }

@@ -17,7 +17,8 @@ struct NodePlace {
 };
 
 /// Those of all nodes. The places of nodes within moving ones are products at common moments, the
-/// fewest that contain all of both; it is reported when these are too many.
+/// fewest that contain all of both; it is reported when these are too many, for one node or
+/// together.
 std::vector<NodePlace> PlacesOfNodes(const SceneSpec& spec, Diagnostics* diagnostics);
 
 }  // namespace candela

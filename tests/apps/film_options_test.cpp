@@ -262,8 +262,7 @@ TEST_F(FilmOptionsTest, RefusesEndsThatCannotBe) {
                    "--noise-target: how many light paths 'light_trace' follows is known before it "
                    "begins");
   ExpectUsageError({"-o", "o.exr", "--noise-target", "1", "--checkpoint", "c"},
-                   "--checkpoint and --noise-target: a checkpoint holds pixels that all have as "
-                   "many samples");
+                   "--noise-target: a checkpoint holds pixels that all have as many samples");
 }
 
 TEST_F(FilmOptionsTest, SamplesThatAreNoLightAreNamed) {

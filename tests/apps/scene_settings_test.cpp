@@ -161,6 +161,9 @@ TEST_F(SceneSettingsTest, EndsThatCannotBeReachedArePlaced) {
   EXPECT_EQ(end.err,
             "scene.txt:1:26: warning: 'noise_target' has no effect: how many light paths "
             "'light_trace' follows is known before it begins\n");
+  EXPECT_EQ(Candela({"render", "scene.txt", "-o", "a.exr", "--checkpoint", "c"}).err,
+            "scene.txt:1:26: warning: 'noise_target' has no effect: a checkpoint holds pixels that "
+            "all have as many samples\n");
   // Whoever asks for the course's samples gets them.
   EXPECT_EQ(Candela({"render", "scene.txt", "-o", "a.exr", "--jitter"}).err, "");
 }
@@ -272,6 +275,7 @@ TEST_F(SceneSettingsTest, LampsThatLightNothingAreNamed) {
       "candela render: warning: area lights shine but light nothing in 'whitted'; 'candela "
       "render --light-samples N' samples them, and '--integrator path' follows their light\n");
   EXPECT_EQ(err("sphere radius 1", {"--light-samples", "1"}), "");
+  EXPECT_EQ(err("sphere radius 1", {"--indirect-samples", "1"}), "");
   EXPECT_EQ(err("plane normal 0 1 0 offset -1", {"--light-samples", "1"}),
             "candela render: warning: area lights of this shape shine but light nothing in "
             "'whitted'; '--integrator path' follows their light\n");

@@ -93,6 +93,23 @@ TEST(LightTraceCreate, RefusesBodiesThatMayOverlapWithTheSamePriority) {
   EXPECT_EQ(MessageFor(scene(glass, glass, "1 1 1")), "");
 }
 
+// Where they are at any time counts, not where they begin.
+TEST(LightTraceCreate, RefusesBodiesThatComeToOverlap) {
+  const auto scene = [](const char* end) {
+    return std::string(
+               "Materials { Material { name glass type dielectric ior 1.5 } }\n"
+               "Media { Medium { name tea ior 1.3 } }\nScene {\n"
+               "Node { Component<Object> { type sphere radius 1 } Component<Material> { name glass "
+               "} "
+               "}\nNode { Keyframes { Transform { translate -9 0 0 } Transform { translate ") +
+           end +
+           " } } Component<Object> { type sphere radius 1 } Component<Material> { name glass } "
+           "Component<Interior> { medium tea } } }";
+  };
+  EXPECT_THAT(MessageFor(scene("-0.5 0 0")), HasSubstr("may overlap and have the same priority"));
+  EXPECT_EQ(MessageFor(scene("-5 0 0")), "");
+}
+
 // Each of the three meets the others; of a pair the later one is told.
 TEST(LightTraceCheck, ReportsEachBodyAndEachLampOnce) {
   std::string nodes;

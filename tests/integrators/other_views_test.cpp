@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <set>
 #include <string>
@@ -184,7 +185,36 @@ TEST(DebugViews, HaveNamesByWhichTheyAreFound) {
   EXPECT_EQ(FindDebugView("normals"), nullptr);
 }
 
-// Golden steps around the circle: no two of a thousand are the same.
+// Of two lamps one is behind the wall, where no ray is sent to: chosen by effect it never is.
+TEST(DebugViews, ShowTheEffortOfTheWayInWhichLightsAreChosen) {
+  const auto scene = CompileText(
+      std::string(kCamera) +
+      "Materials { Material { type diffuse albedo 0.5 0.5 0.5 } } Scene {"
+      "Node { Component<Object> { type plane normal 0 0 1 offset -2 } Component<Material> { index "
+      "0 "
+      "} } Node { Transform { translate 0 0 -1 } Component<Light> { type point attenuation 1 } } "
+      "Node { Transform { translate 0 0 -9 } Component<Light> { type point attenuation 1 } } }");
+  ASSERT_TRUE(scene);
+  IntegratorOptions options;
+  options.view = DebugView::kCost;
+  options.bounces = 1;
+  const auto effort = [&](LightChoice choice) {
+    options.light_choice = choice;
+    const auto integrator = Make("debug", *scene, options);
+    const auto workspace = integrator->MakeWorkspace();
+    float blue = 0;
+    for (uint32_t i = 0; i < 64; ++i) {
+      const SampleRequest request{0, 0, i, {0, 0}, 0};
+      Spectrum radiance;
+      integrator->Trace({&request, 1}, workspace.get(), {{&radiance, 1}});
+      blue += radiance.ToRgb().z;
+    }
+    return blue;
+  };
+  EXPECT_NE(effort(LightChoice::kUniform), effort(LightChoice::kByEffect));
+}
+
+// Golden steps around the circle: no two of a hundred are the same.
 TEST(DebugViews, ColorsOfManyObjectsDiffer) {
   std::string nodes;
   for (int i = 0; i < 100; ++i) {

@@ -57,6 +57,18 @@ TEST(Refraction, OfAPlateHasAllInnerBounces) {
   EXPECT_NEAR(seen.mean, 0.559308 + 0.053569, 4 * seen.error + 1e-6);
 }
 
+// A mirror within glass that takes light away. Beyond the first surfaces one of two ways is drawn,
+// and the sum of those with at most eight bounces is 0.5 (1 - 0.9^8) / (1 + 0.9).
+TEST(Refraction, BesideAReflectionThatTakesLightAwayKeepsTheMean) {
+  const auto scene = SceneOf(
+      "Background { color 0.5 0.5 0.5 } Materials { Material { diffuse 0 0 0 specular -0.9 -0.9 "
+      "-0.9 transmittance 1 1 1 ior 1.000001 } } Scene { Component<Object> { type sphere radius 9 "
+      "} Component<Material> { index 0 }");
+  const auto seen = EstimateRadiance(DistributionIntegrator(*scene, Bounces(8)), {0, 0}, 256, 512);
+  EXPECT_NEAR(seen.mean, 0.149877, 4 * seen.error + 1e-6);
+  EXPECT_LT(4 * seen.error, 0.02);
+}
+
 // Snell's law, by the ray: through water of depth 1 a stripe of the ground is seen where
 // x = tan(i) + tan(r), with sin(i) = 1.33 sin(r).
 TEST(Refraction, BendsRaysBySnellsLaw) {

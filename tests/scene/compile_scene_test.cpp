@@ -52,6 +52,21 @@ std::pair<uint32_t, float> FirstHit(const Scene& scene, float x, float y) {
   return {hit.object, hit.t};
 }
 
+// Six bytes of text for a node must not take 65 kB of matrices each.
+TEST(CompileScene, NodesWithinMovingOnesAreBounded) {
+  const auto nodes = [](int count) {
+    std::string text =
+        "Keyframes { Transform { y_rotate 0 } Transform { y_rotate 2000 } } " + kSphere;
+    for (int i = 0; i < count; ++i) text += "Node { } ";
+    return text;
+  };
+  EXPECT_THAT(Compiled(nodes(1000)).lines, IsEmpty());
+  const Compiled many(nodes(6000));
+  EXPECT_EQ(many.scene, nullptr);
+  ASSERT_THAT(many.lines, SizeIs(1));
+  EXPECT_THAT(many.lines[0], testing::HasSubstr("move in more than 2097152 steps together"));
+}
+
 // Both see the same place of the picture: the right half of a floor of squares.
 TEST(CompileScene, TexturesColourWhatBothIntegratorsSee) {
   const auto scene = testing_support::CompileText(

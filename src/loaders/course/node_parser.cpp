@@ -104,9 +104,9 @@ void NodeParser::ParseKeyframes(const Token& word, NodeSpec* node) {
   if (parts * (frames.size() - 1) >= NodeSpec::kMostSteps) {
     diagnostics_.Error(
         tokens_.Where(word),
-        fmt::format("the keyframes make {} steps, with one for each {} degrees of a turn; at most "
-                    "{} are possible",
-                    parts * (frames.size() - 1) + 1, kDegreesOfPart, NodeSpec::kMostSteps));
+        fmt::format("the keyframes make more steps than the {} that are possible, with one for "
+                    "each {} degrees of a turn",
+                    NodeSpec::kMostSteps, kDegreesOfPart));
     return;
   }
   node->motion = MatricesOfKeyframes(frames, parts);

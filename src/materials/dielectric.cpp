@@ -20,20 +20,28 @@ constexpr float kLeastContrast = 1e-3f;
 /// but no more than so many.
 constexpr float kLeastSpread = 0.01f, kRatioStep = 0.05f, kMostRatioSteps = 8;
 
-/// The middle one of three, for red, green and blue.
-std::shared_ptr<const EnergyTable> EnergyOf(float eta, const Roughness& roughness,
-                                            const FilmTable& film) {
-  DielectricParams glass{};
-  glass.eta = eta;
-  glass.film.table = &film;
-  const auto tables = std::make_shared<std::vector<EnergyTable>>();
-  for (int c = 0; c < 3; ++c) {
-    tables->push_back(roughness.MakeTable(
-        [&](const Ggx& surface, Vec3 wo, Vec3 m) { return FilmFacet(glass, c, surface, wo, m); },
-        EnergyTable::Detail::kEdge));
+/// Under a film there are so many for each fringe between the ends of visible light. Where that
+/// makes more than so many the film is thick, and facets of all slopes blur the fringes.
+constexpr float kStepsPerFringe = 8, kMostFilmSteps = 48;
+
+/// The least and the largest ratio of the index of `b` to that of `a` for visible light.
+struct RatioRange {
+  RatioRange(const Medium& a, const Medium& b) : least(b.ior / a.ior), most(least) {
+    if (a.dispersion.IsNone() && b.dispersion.IsNone()) return;
+    constexpr int kSteps = 32;
+    for (int i = 0; i <= kSteps; ++i) {
+      const float part = static_cast<float>(i) / kSteps;
+      const float wavelength =
+          kShortestWavelength + (kLongestWavelength - kShortestWavelength) * part;
+      const float ratio = b.IndexAt(wavelength) / a.IndexAt(wavelength);
+      least = std::min(least, ratio);
+      most = std::max(most, ratio);
+    }
   }
-  return {tables, &(*tables)[1]};
-}
+  float Spread() const { return most / least - 1; }
+
+  float least, most;
+};
 
 std::optional<FilmInput> ReadFilm(ParamReader* params, const MaterialContext& context,
                                   const Roughness& roughness) {
@@ -97,39 +105,52 @@ void DielectricMaterial::AddTables(const Medium& a, const Medium& b, EnergyStore
 }
 
 void DielectricMaterial::AddEnergy(Tables* tables, EnergyStore* energies) const {
-  const float eta = tables->b.ior / tables->a.ior;
+  tables->yellow = EnergiesAt(*tables, 0, energies);
+  if (tables->a.dispersion.IsNone() && tables->b.dispersion.IsNone()) return;
   if (tables->film) {
-    tables->yellow = {EnergyOf(eta, roughness_, *tables->film),
-                      EnergyOf(1 / eta, roughness_, *tables->film)};
-    return;
+    AddEnergyByWavelength(tables, energies);
+  } else {
+    AddEnergyByRatio(tables, energies);
   }
-  tables->yellow = {energies->OfDielectric(eta, roughness_),
-                    energies->OfDielectric(1 / eta, roughness_)};
-  AddEnergyByRatio(tables, energies);
 }
 
 void DielectricMaterial::AddEnergyByRatio(Tables* tables, EnergyStore* energies) const {
-  if (tables->a.dispersion.IsNone() && tables->b.dispersion.IsNone()) return;
-  float least = tables->b.ior / tables->a.ior, most = least;
-  constexpr int kSteps = 32;
-  for (int i = 0; i <= kSteps; ++i) {
-    const float part = static_cast<float>(i) / kSteps;
-    const float wavelength =
-        kShortestWavelength + (kLongestWavelength - kShortestWavelength) * part;
-    const float ratio = tables->b.IndexAt(wavelength) / tables->a.IndexAt(wavelength);
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-  }
-  const float spread = most / least - 1;
-  if (!(spread >= kLeastSpread)) return;
-  const float steps = std::clamp(std::ceil(spread / kRatioStep), 1.0f, kMostRatioSteps);
-  tables->least_ratio = least;
-  tables->ratio_step = (most - least) / steps;
+  const RatioRange range(tables->a, tables->b);
+  if (!(range.Spread() >= kLeastSpread)) return;
+  const float steps = std::clamp(std::ceil(range.Spread() / kRatioStep), 1.0f, kMostRatioSteps);
+  tables->least = range.least;
+  tables->step = (range.most - range.least) / steps;
   for (float i = 0; i <= steps; ++i) {
-    const float ratio = least + tables->ratio_step * i;
-    tables->by_ratio.push_back(
+    const float ratio = range.least + tables->step * i;
+    tables->steps.push_back(
         {energies->OfDielectric(ratio, roughness_), energies->OfDielectric(1 / ratio, roughness_)});
   }
+}
+
+void DielectricMaterial::AddEnergyByWavelength(Tables* tables, EnergyStore* energies) const {
+  constexpr float kLeast = 1 / kLongestWavelength, kMost = 1 / kShortestWavelength;
+  const float fringes = 2 * film_->ior() * film_->ThicknessAt({}) * (kMost - kLeast);
+  const float for_film = std::min(std::ceil(fringes * kStepsPerFringe), kMostFilmSteps);
+  const float for_ratio =
+      std::min(std::ceil(RatioRange(tables->a, tables->b).Spread() / kRatioStep), kMostRatioSteps);
+  const float steps = std::max(std::max(for_film, for_ratio), 1.0f);
+  tables->least = kLeast;
+  tables->step = (kMost - kLeast) / steps;
+  for (float i = 0; i <= steps; ++i) {
+    const float wavelength = 1 / (kLeast + tables->step * i);
+    tables->steps.push_back(EnergiesAt(*tables, wavelength, energies));
+  }
+}
+
+DielectricMaterial::Energies DielectricMaterial::EnergiesAt(const Tables& tables, float wavelength,
+                                                            EnergyStore* energies) const {
+  const float eta = tables.b.IndexAt(wavelength) / tables.a.IndexAt(wavelength);
+  if (!tables.film) {
+    return {energies->OfDielectric(eta, roughness_), energies->OfDielectric(1 / eta, roughness_)};
+  }
+  const FilmParams film = FilmOf(tables, tables.a, tables.b, wavelength, {});
+  return {energies->OfFilmedDielectric(eta, film, roughness_),
+          energies->OfFilmedDielectric(1 / eta, film, roughness_)};
 }
 
 PhongTerms DielectricMaterial::Phong(const SurfacePoint& point) const {
@@ -188,15 +209,16 @@ void DielectricMaterial::SetEnergy(const Tables& tables, bool is_from_a, float w
     *energy_here = (is_from_a ? energies.from_a : energies.from_b).get();
     *energy_beyond = (is_from_a ? energies.from_b : energies.from_a).get();
   };
-  if (wavelength == 0 || tables.by_ratio.empty()) {
+  if (wavelength == 0 || tables.steps.empty()) {
     set(tables.yellow, &glass->energy_here, &glass->energy_beyond);
     return;
   }
   const float ratio = is_from_a ? glass->eta : 1 / glass->eta;
-  const float place = std::max((ratio - tables.least_ratio) / tables.ratio_step, 0.0f);
-  const size_t first = std::min(static_cast<size_t>(place), tables.by_ratio.size() - 2);
-  set(tables.by_ratio[first], &glass->energy_here, &glass->energy_beyond);
-  set(tables.by_ratio[first + 1], &glass->next_here, &glass->next_beyond);
+  const float value = tables.film ? 1 / wavelength : ratio;
+  const float place = std::max((value - tables.least) / tables.step, 0.0f);
+  const size_t first = std::min(static_cast<size_t>(place), tables.steps.size() - 2);
+  set(tables.steps[first], &glass->energy_here, &glass->energy_beyond);
+  set(tables.steps[first + 1], &glass->next_here, &glass->next_beyond);
   glass->next_part = std::min(place - static_cast<float>(first), 1.0f);
 }
 

@@ -42,16 +42,18 @@ class DielectricMaterial final : public Material {
   struct Tables {
     Medium a, b;
     Energies yellow;
-    /// Where the ratio of the indices depends much on the wavelength: for ratios that are evenly
-    /// spaced from the least one on.
-    std::vector<Energies> by_ratio;
-    float least_ratio = 0, ratio_step = 0;
+    /// Where light of each wavelength has its own: for values that are evenly spaced, from `least`
+    /// on, of the ratio of the indices, or under a film of the inverse of the wavelength.
+    std::vector<Energies> steps;
+    float least = 0, step = 0;
     std::optional<FilmTable> film;
   };
 
   void AddTables(const Medium& a, const Medium& b, EnergyStore* energies);
   void AddEnergy(Tables* tables, EnergyStore* energies) const;
   void AddEnergyByRatio(Tables* tables, EnergyStore* energies) const;
+  void AddEnergyByWavelength(Tables* tables, EnergyStore* energies) const;
+  Energies EnergiesAt(const Tables& tables, float wavelength, EnergyStore* energies) const;
   const Tables* TablesOf(const Medium& here, const Medium& beyond) const;
   static void SetEnergy(const Tables& tables, bool is_from_a, float wavelength,
                         DielectricParams* glass);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
@@ -14,6 +15,7 @@
 #include "materials/plastic.h"
 #include "materials/principled.h"
 #include "materials/retroreflective.h"
+#include "math/wavelength.h"
 #include "tests/materials/scatter.h"
 #include "textures/constant_texture.h"
 
@@ -98,29 +100,41 @@ TEST(WhiteFurnace, GroundGlassLosesNothingFromEitherSide) {
   ExpectWhite(Glass(2.417f, 0.3f), 3e-3, false);
 }
 
-// P4: each wavelength has the energies of its own index, also between two media.
-TEST(WhiteFurnace, GroundGlassThatDispersesLosesNothingOfAnyColour) {
+/// Light of each wavelength finds glass that disperses white, ground and under a film or not, also
+/// between two media.
+void ExpectWhiteForEachWavelength(float alpha, const std::optional<FilmInput>& film) {
   const Medium glass{1.5f, {}, Dispersion::OfAbbeNumber(1.5f, 2)};
   const Medium oil{1.3f, {}, Dispersion::OfAbbeNumber(1.3f, 4)};
-  for (const float alpha : {0.1f, 0.5f, 1.0f}) {
-    const Medium media[] = {kAir, glass, oil};
-    const DielectricMaterial material(glass, Roughness::OfAlpha(alpha), media);
-    const Medium* const pairs[][2] = {{&kAir, &glass}, {&glass, &kAir}, {&glass, &oil}};
-    for (const auto& [here, beyond] : pairs) {
-      for (const float wavelength : {400.0f, 450.0f, 530.0f, Dispersion::kYellow, 700.0f}) {
-        SCOPED_TRACE(testing::Message() << alpha << ", " << here->ior << ", " << wavelength);
-        SurfacePoint point;
-        point.n_geometric = point.n_shading = kNormal;
-        Bsdf bsdf;
-        bsdf.frame = Frame::FromNormal(kNormal);
-        bsdf.wavelength = wavelength;
-        bsdf.medium_here = here;
-        bsdf.medium_beyond = beyond;
-        material.Evaluate(point, &bsdf);
-        ExpectWhite(bsdf, 4e-3);
-      }
+  const Medium media[] = {kAir, glass, oil};
+  const DielectricMaterial material(glass, Roughness::OfAlpha(alpha), media, film);
+  const Medium* const pairs[][2] = {{&kAir, &glass}, {&glass, &kAir}, {&glass, &oil}};
+  for (const auto& [here, beyond] : pairs) {
+    for (const float wavelength :
+         {kShortestWavelength, 450.0f, 530.0f, Dispersion::kYellow, kLongestWavelength}) {
+      SCOPED_TRACE(testing::Message() << alpha << ", " << here->ior << ", " << wavelength);
+      SurfacePoint point;
+      point.n_geometric = point.n_shading = kNormal;
+      Bsdf bsdf;
+      bsdf.frame = Frame::FromNormal(kNormal);
+      bsdf.wavelength = wavelength;
+      bsdf.medium_here = here;
+      bsdf.medium_beyond = beyond;
+      material.Evaluate(point, &bsdf);
+      ExpectWhite(bsdf, 4e-3);
     }
   }
+}
+
+// P4: each wavelength has the energies of its own index.
+TEST(WhiteFurnace, GroundGlassThatDispersesLosesNothingOfAnyColour) {
+  for (const float alpha : {0.1f, 0.5f, 1.0f}) ExpectWhiteForEachWavelength(alpha, std::nullopt);
+}
+
+// P4: and of its own reflectance, which a film makes another one for each.
+TEST(WhiteFurnace, FilmsOnGroundGlassThatDispersesLoseNothingOfAnyColour) {
+  ExpectWhiteForEachWavelength(0.5f, FilmInput(3, 150));
+  ExpectWhiteForEachWavelength(1, FilmInput(1.5f, 150));
+  ExpectWhiteForEachWavelength(1, FilmInput(2, 400));
 }
 
 // P4: a film that absorbs nothing sends back or lets through what the base does not.

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "materials/dielectric_lobe.h"
+#include "materials/index_ratio.h"
 #include "materials/pane.h"
 #include "math/wavelength.h"
 
 namespace candela {
 namespace {
-
-/// Boundaries that hardly refract are taken as polished: there is no telling which facet leads from
-/// one direction to the other.
-constexpr float kLeastContrast = 1e-3f;
 
 /// Where the indices of all wavelengths lie closer together, the energies of yellow light are those
 /// of all: the error is below that of the tables. Else there are tables at such steps of the index,
@@ -24,24 +20,9 @@ constexpr float kLeastSpread = 0.01f, kRatioStep = 0.05f, kMostRatioSteps = 8;
 /// makes more than so many the film is thick, and facets of all slopes blur the fringes.
 constexpr float kStepsPerFringe = 8, kMostFilmSteps = 48;
 
-/// The least and the largest ratio of the index of `b` to that of `a` for visible light.
-struct RatioRange {
-  RatioRange(const Medium& a, const Medium& b) : least(b.ior / a.ior), most(least) {
-    if (a.dispersion.IsNone() && b.dispersion.IsNone()) return;
-    constexpr int kSteps = 32;
-    for (int i = 0; i <= kSteps; ++i) {
-      const float part = static_cast<float>(i) / kSteps;
-      const float wavelength =
-          kShortestWavelength + (kLongestWavelength - kShortestWavelength) * part;
-      const float ratio = b.IndexAt(wavelength) / a.IndexAt(wavelength);
-      least = std::min(least, ratio);
-      most = std::max(most, ratio);
-    }
-  }
-  float Spread() const { return most / least - 1; }
-
-  float least, most;
-};
+/// Where ratios of indices lie around 1 there are so many steps on either side, or under a film as
+/// many as there may be.
+constexpr float kStepsFrom1 = 4;
 
 std::optional<FilmInput> ReadFilm(ParamReader* params, const MaterialContext& context,
                                   const Roughness& roughness) {
@@ -87,7 +68,7 @@ DielectricMaterial::DielectricMaterial(const Medium& medium, Roughness roughness
 }
 
 void DielectricMaterial::AddTables(const Medium& a, const Medium& b, EnergyStore* energies) {
-  const bool has_energy = !roughness_.IsNowhere() && std::abs(b.ior / a.ior - 1) >= kLeastContrast;
+  const bool has_energy = !roughness_.IsNowhere() && (film_ || RatioRange(a, b).HasContrast());
   if (!has_energy && !film_) return;
   const bool is_there = std::any_of(tables_.begin(), tables_.end(), [&](const Tables& tables) {
     return (tables.a.RefractsAs(a) && tables.b.RefractsAs(b)) ||
@@ -116,12 +97,20 @@ void DielectricMaterial::AddEnergy(Tables* tables, EnergyStore* energies) const 
 
 void DielectricMaterial::AddEnergyByRatio(Tables* tables, EnergyStore* energies) const {
   const RatioRange range(tables->a, tables->b);
-  if (!(range.Spread() >= kLeastSpread)) return;
-  const float steps = std::clamp(std::ceil(range.Spread() / kRatioStep), 1.0f, kMostRatioSteps);
+  tables->is_around_1 = range.IsAround1();
+  if (!tables->is_around_1 && !(range.Spread() >= kLeastSpread)) return;
+  float steps = std::clamp(std::ceil(range.Spread() / kRatioStep), 1.0f, kMostRatioSteps);
   tables->least = range.least;
   tables->step = (range.most - range.least) / steps;
+  if (tables->is_around_1) {
+    const float most = std::max(RootFrom1(range.most), -RootFrom1(range.least));
+    steps = 2 * kStepsFrom1;
+    tables->least = -most;
+    tables->step = most / kStepsFrom1;
+  }
   for (float i = 0; i <= steps; ++i) {
-    const float ratio = range.least + tables->step * i;
+    const float value = tables->least + tables->step * i;
+    const float ratio = tables->is_around_1 ? RatioOfRoot(value) : value;
     tables->steps.push_back(
         {energies->OfDielectric(ratio, roughness_), energies->OfDielectric(1 / ratio, roughness_)});
   }
@@ -131,8 +120,10 @@ void DielectricMaterial::AddEnergyByWavelength(Tables* tables, EnergyStore* ener
   constexpr float kLeast = 1 / kLongestWavelength, kMost = 1 / kShortestWavelength;
   const float fringes = 2 * film_->ior() * film_->ThicknessAt({}) * (kMost - kLeast);
   const float for_film = std::min(std::ceil(fringes * kStepsPerFringe), kMostFilmSteps);
-  const float for_ratio =
-      std::min(std::ceil(RatioRange(tables->a, tables->b).Spread() / kRatioStep), kMostRatioSteps);
+  const RatioRange range(tables->a, tables->b);
+  const float for_ratio = range.IsAround1()
+                              ? kMostFilmSteps
+                              : std::min(std::ceil(range.Spread() / kRatioStep), kMostRatioSteps);
   const float steps = std::max(std::max(for_film, for_ratio), 1.0f);
   tables->least = kLeast;
   tables->step = (kMost - kLeast) / steps;
@@ -144,10 +135,12 @@ void DielectricMaterial::AddEnergyByWavelength(Tables* tables, EnergyStore* ener
 
 DielectricMaterial::Energies DielectricMaterial::EnergiesAt(const Tables& tables, float wavelength,
                                                             EnergyStore* energies) const {
-  const float eta = tables.b.IndexAt(wavelength) / tables.a.IndexAt(wavelength);
+  const float index_a = tables.a.IndexAt(wavelength), index_b = tables.b.IndexAt(wavelength);
   if (!tables.film) {
+    const float eta = index_b / index_a;
     return {energies->OfDielectric(eta, roughness_), energies->OfDielectric(1 / eta, roughness_)};
   }
+  const float eta = FilmedRatio(index_a, index_b, true);
   const FilmParams film = FilmOf(tables, tables.a, tables.b, wavelength, {});
   return {energies->OfFilmedDielectric(eta, film, roughness_),
           energies->OfFilmedDielectric(1 / eta, film, roughness_)};
@@ -159,8 +152,8 @@ PhongTerms DielectricMaterial::Phong(const SurfacePoint& point) const {
 
 void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   const Medium *here = bsdf->medium_here, *beyond = bsdf->medium_beyond;
+  const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
   if (!here) {
-    const bool is_outside = Dot(point.n_shading, bsdf->frame.z) > 0;
     here = is_outside ? &kAir : &medium_;
     beyond = is_outside ? &medium_ : &kAir;
   }
@@ -169,35 +162,40 @@ void DielectricMaterial::Evaluate(const SurfacePoint& point, Bsdf* bsdf) const {
   if (wavelength != 0) bsdf->is_dispersive = true;
   const float alpha = roughness_.AlphaAt(point);
   Lobe lobe{LobeKind::kSmoothDielectric, 1, Spectrum(1)};
-  const float eta = beyond->IndexAt(wavelength) / here->IndexAt(wavelength);
-  lobe.dielectric = {eta, {alpha, alpha}, nullptr, nullptr, 0, {}, nullptr, nullptr, 0};
+  const float index_here = here->IndexAt(wavelength), index_beyond = beyond->IndexAt(wavelength);
+  lobe.dielectric = {
+      index_beyond / index_here, {alpha, alpha}, nullptr, nullptr, 0, {}, nullptr, nullptr, 0};
   const bool is_rough = alpha >= kSmoothestAlpha;
   if (is_rough || film_) {
-    if (const Tables* tables = TablesOf(*here, *beyond)) {
-      if (film_) lobe.dielectric.film = FilmOf(*tables, *here, *beyond, wavelength, point);
-      if (is_rough && tables->yellow.from_a) {
-        lobe.kind = LobeKind::kDielectric;
-        SetEnergy(*tables, tables->a.ior == here->ior && tables->b.ior == beyond->ior, wavelength,
-                  &lobe.dielectric);
-        lobe.dielectric.table_row = roughness_.TableRow(alpha);
-      }
+    const auto [tables, is_from_a] = TablesOf(*here, *beyond, is_outside);
+    if (tables && film_) {
+      lobe.dielectric.film = FilmOf(*tables, *here, *beyond, wavelength, point);
+      if (is_rough) lobe.dielectric.eta = FilmedRatio(index_here, index_beyond, is_from_a);
+    }
+    if (tables && is_rough && (film_ || HasContrast(index_here, index_beyond))) {
+      lobe.kind = LobeKind::kDielectric;
+      SetEnergy(*tables, is_from_a, wavelength, &lobe.dielectric);
+      lobe.dielectric.table_row = roughness_.TableRow(alpha);
     }
   }
   bsdf->Add(lobe);
 }
 
 // Bodies that the scene says nothing of may have the index of one of the media, and disperse
-// differently: then those of yellow light are theirs too.
-const DielectricMaterial::Tables* DielectricMaterial::TablesOf(const Medium& here,
-                                                               const Medium& beyond) const {
-  const Tables* similar = nullptr;
+// differently: then those of yellow light are theirs too. Between media that refract alike the
+// outside is as good as `a`.
+DielectricMaterial::Side DielectricMaterial::TablesOf(const Medium& here, const Medium& beyond,
+                                                      bool is_outside) const {
+  Side similar;
   for (const Tables& tables : tables_) {
-    const bool is_from_a = tables.a.ior == here.ior && tables.b.ior == beyond.ior;
-    if (!is_from_a && !(tables.b.ior == here.ior && tables.a.ior == beyond.ior)) continue;
-    const bool is_same = is_from_a ? tables.a.RefractsAs(here) && tables.b.RefractsAs(beyond)
-                                   : tables.b.RefractsAs(here) && tables.a.RefractsAs(beyond);
-    if (is_same) return &tables;
-    if (!similar) similar = &tables;
+    for (const bool is_from_a : {is_outside, !is_outside}) {
+      const Medium& first = is_from_a ? tables.a : tables.b;
+      const Medium& second = is_from_a ? tables.b : tables.a;
+      if (first.ior != here.ior || second.ior != beyond.ior) continue;
+      const Side side{&tables, is_from_a};
+      if (first.RefractsAs(here) && second.RefractsAs(beyond)) return side;
+      if (!similar.tables) similar = side;
+    }
   }
   return similar;
 }
@@ -214,7 +212,8 @@ void DielectricMaterial::SetEnergy(const Tables& tables, bool is_from_a, float w
     return;
   }
   const float ratio = is_from_a ? glass->eta : 1 / glass->eta;
-  const float value = tables.film ? 1 / wavelength : ratio;
+  float value = tables.is_around_1 ? RootFrom1(ratio) : ratio;
+  if (tables.film) value = 1 / wavelength;
   const float place = std::max((value - tables.least) / tables.step, 0.0f);
   const size_t first = std::min(static_cast<size_t>(place), tables.steps.size() - 2);
   set(tables.steps[first], &glass->energy_here, &glass->energy_beyond);

@@ -43,10 +43,18 @@ class DielectricMaterial final : public Material {
     Medium a, b;
     Energies yellow;
     /// Where light of each wavelength has its own: for values that are evenly spaced, from `least`
-    /// on, of the ratio of the indices, or under a film of the inverse of the wavelength.
+    /// on, of the ratio of the indices, or where that lies around 1 of the root of what it is away
+    /// from it; under a film of the inverse of the wavelength.
     std::vector<Energies> steps;
     float least = 0, step = 0;
+    bool is_around_1 = false;
     std::optional<FilmTable> film;
+  };
+
+  /// Where light comes from.
+  struct Side {
+    const Tables* tables = nullptr;
+    bool is_from_a = false;
   };
 
   void AddTables(const Medium& a, const Medium& b, EnergyStore* energies);
@@ -54,7 +62,7 @@ class DielectricMaterial final : public Material {
   void AddEnergyByRatio(Tables* tables, EnergyStore* energies) const;
   void AddEnergyByWavelength(Tables* tables, EnergyStore* energies) const;
   Energies EnergiesAt(const Tables& tables, float wavelength, EnergyStore* energies) const;
-  const Tables* TablesOf(const Medium& here, const Medium& beyond) const;
+  Side TablesOf(const Medium& here, const Medium& beyond, bool is_outside) const;
   static void SetEnergy(const Tables& tables, bool is_from_a, float wavelength,
                         DielectricParams* glass);
   FilmParams FilmOf(const Tables& tables, const Medium& here, const Medium& beyond,

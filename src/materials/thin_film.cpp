@@ -72,10 +72,10 @@ double AirySum(Complex outer, Complex inner, Complex way) {
   const Complex q = inner * way;
   return Norm(outer + q) / Norm(Complex{1, 0} + outer * q);
 }
+/// Rounding may leave it above 1.
 double Reflectance(const Faces& faces, Complex way) {
-  return std::min(
-      (AirySum(faces.outer_s, faces.inner_s, way) + AirySum(faces.outer_p, faces.inner_p, way)) / 2,
-      1.0);
+  return (AirySum(faces.outer_s, faces.inner_s, way) + AirySum(faces.outer_p, faces.inner_p, way)) /
+         2;
 }
 
 /// The wavelengths of a sum and what they count for each colour, which adds up to 1.
@@ -107,8 +107,8 @@ float CosineOf(int column) {
 double FilmReflectance(const FilmStack& stack, double thickness, double wavelength, double cosine) {
   if (!(cosine > 0)) return 1;
   const Incidence incidence(stack.film, cosine);
-  return Reflectance(incidence.On(stack.base),
-                     incidence.ThereAndBack(thickness * stack.outside / wavelength));
+  const Complex way = incidence.ThereAndBack(thickness * stack.outside / wavelength);
+  return std::min(Reflectance(incidence.On(stack.base), way), 1.0);
 }
 
 FilmTable::FilmTable(double film, double outside, Rgb base_eta, Rgb base_k, float least, float most)

@@ -171,6 +171,22 @@ TEST(FilmTable, ChangesNothingWithoutThicknessOrContrast) {
   EXPECT_EQ(range.Mean(0), Rgb());
 }
 
+// `Over` cuts at 1, so what a metal reflects that absorbs nothing shows no gain: this does.
+TEST(FilmTable, ChangesNothingOnMetalThatAbsorbsNothing) {
+  for (const float k : {0.5f, 3.0f}) {
+    for (const double film : {1.4, 2.2}) {
+      const FilmTable table(film, 1, {0, 0, 0}, {k, k, k}, 50, 450);
+      for (const double cosine : kCosines) {
+        for (int i = 0; i <= 20; ++i) {
+          const Rgb change =
+              table.At(static_cast<float>(cosine), table.RowOf(50 + 20 * static_cast<float>(i)));
+          for (int c = 0; c < 3; ++c) EXPECT_NEAR(change[c], 0, 1e-6f) << film << ", " << cosine;
+        }
+      }
+    }
+  }
+}
+
 TEST(FilmTable, KnowsTheMeanOverDirections) {
   const FilmTable table(1.8, 1, kEta, kK, 0, 400);
   const float row = table.RowOf(217);

@@ -32,8 +32,8 @@ Vec2 ReadRange(ParamReader* params) {
   params->Error(
       params->Where("film_thickness_range"),
       fmt::format("'film_thickness_range' expects two thicknesses in ascending order from "
-                  "0 to {} nm",
-                  FilmInput::kThickest));
+                  "0 to {} nm, found {} {}",
+                  FilmInput::kThickest, range.x, range.y));
   return {};
 }
 
@@ -43,7 +43,14 @@ FilmInput::FilmInput(float ior, float least, float most, NumberInput share)
     : ior_(ior), least_(least), most_(most), share_(std::move(share)) {}
 
 std::optional<FilmInput> FilmInput::Create(ParamReader* params, const MaterialContext& context) {
-  if (!params->Has("film_thickness")) return std::nullopt;
+  if (!params->Has("film_thickness")) {
+    for (const char* name : {"film_ior", "film_thickness_range"}) {
+      if (!params->Has(name)) continue;
+      params->Error(params->Where(name),
+                    fmt::format("'{}' is for a 'film_thickness', of which there is none", name));
+    }
+    return std::nullopt;
+  }
   const float ior = ReadIor(params);
   if (params->IsTexture("film_thickness")) {
     const NumberInput share = NumberInput::Fraction(params, "film_thickness", 0, context);

@@ -121,9 +121,22 @@ FilmTable::FilmTable(double film, double outside, Rgb base_eta, Rgb base_k, floa
   const Base base{film, outside, base_eta, base_k};
   const double step = rows_ > 1 ? range / (rows_ - 1) : 0;
   changes_.resize(static_cast<size_t>(rows_) * kColumns);
-  // Nothing changes in the first column, where everything is reflected.
+  FillHorizon(base, step);
   ParallelFor(kColumns - 1, [&](int64_t i) { FillColumn(static_cast<int>(i) + 1, base, step); });
   for (int row = 0; row < rows_; ++row) means_.push_back(MeanOf(Row(row)));
+}
+
+// In the first column everything is reflected, also by the bare surface, but where the base is as
+// the outside: there by the film alone.
+void FilmTable::FillHorizon(const Base& base, double step) {
+  for (int c = 0; c < 3; ++c) {
+    const bool is_film_alone = base.eta[c] == 1 && base.k[c] == 0 && base.film != 1;
+    if (!is_film_alone) continue;
+    for (int row = 0; row < rows_; ++row) {
+      const bool is_there = double{least_} + step * row > 0;
+      changes_[static_cast<size_t>(row) * kColumns][c] = is_there ? 1 : 0;
+    }
+  }
 }
 
 void FilmTable::FillColumn(int column, const Base& base, double step) {

@@ -187,6 +187,18 @@ TEST(FilmTable, ChangesNothingOnMetalThatAbsorbsNothing) {
   }
 }
 
+// Along the surface all light is reflected: by the base, and between equal media by the film alone.
+TEST(FilmTable, ReflectsAllAtTheHorizon) {
+  const FilmTable bubble(1.333, 1, {1, 1, 1}, {0, 0, 0}, 0, 400);
+  for (const float cosine : {0.0f, 1e-6f, 2e-5f}) {
+    const Rgb reflected = bubble.Over({0, 0, 0}, cosine, bubble.RowOf(300));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflected[c], 1, 0.02f) << cosine;
+    EXPECT_EQ(bubble.At(cosine, 0), Rgb()) << cosine;
+  }
+  const FilmTable glass(1.333, 1, {1.5f, 1.5f, 1.5f}, {0, 0, 0}, 300, 300);
+  EXPECT_EQ(glass.Over({1, 1, 1}, 0, 0), Rgb(1, 1, 1));
+}
+
 TEST(FilmTable, KnowsTheMeanOverDirections) {
   const FilmTable table(1.8, 1, kEta, kK, 0, 400);
   const float row = table.RowOf(217);

@@ -80,7 +80,7 @@ void DielectricMaterial::AddTables(const Medium& a, const Medium& b, EnergyStore
   tables.b = b;
   if (film_) {
     const float outside = std::min(a.ior, b.ior), base = std::max(a.ior, b.ior);
-    tables.film = film_->MakeTable(outside, {base, base, base}, {0, 0, 0});
+    tables.film = film_->Table(outside, {base, base, base}, {0, 0, 0}, energies);
   }
   if (has_energy) AddEnergy(&tables, energies);
 }
@@ -226,7 +226,7 @@ FilmParams DielectricMaterial::FilmOf(const Tables& tables, const Medium& here,
                                       const SurfacePoint& point) const {
   const float thickness = film_->ThicknessAt(point);
   const float outside = std::min(here.IndexAt(wavelength), beyond.IndexAt(wavelength));
-  return {&*tables.film, tables.film->RowOf(thickness), wavelength, film_->ior(), outside,
+  return {tables.film.get(), tables.film->RowOf(thickness), wavelength, film_->ior(), outside,
           thickness};
 }
 

@@ -48,7 +48,7 @@ class DielectricMaterial final : public Material {
     std::vector<Energies> steps;
     float least = 0, step = 0;
     bool is_around_1 = false;
-    std::optional<FilmTable> film;
+    std::shared_ptr<const FilmTable> film;
   };
 
   /// Where light comes from.

@@ -47,4 +47,30 @@ std::shared_ptr<const EnergyTable> EnergyStore::OfFilmedDielectric(float eta,
   return table;
 }
 
+std::shared_ptr<const FilmTable> EnergyStore::OfFilm(const FilmKey& key) {
+  const auto& [film, outside, eta, k, least, most] = key;
+  std::shared_ptr<const FilmTable>& table =
+      films_[{film, outside, double{eta.x}, double{eta.y}, double{eta.z}, double{k.x}, double{k.y},
+              double{k.z}, double{least}, double{most}}];
+  if (!table) table = std::make_shared<const FilmTable>(film, outside, eta, k, least, most);
+  return table;
+}
+
+std::shared_ptr<const BaseEnergy> EnergyStore::OfBase(std::optional<float> ior,
+                                                      const Roughness& roughness,
+                                                      const NumberInput& anisotropy) {
+  const float brushing = anisotropy.IsTextured() ? -1 : anisotropy.value();
+  std::shared_ptr<const BaseEnergy>& base = bases_[{ior.value_or(-1), KeyOf(roughness), brushing}];
+  if (!base) {
+    EnergyTable::Facet facet = MirrorFacet;
+    if (ior) {
+      facet = [index = *ior](const Ggx& surface, Vec3 wo, Vec3 m) {
+        return CoatFacet(index, surface, wo, m);
+      };
+    }
+    base = std::make_shared<const BaseEnergy>(roughness, anisotropy, facet);
+  }
+  return base;
+}
+
 }  // namespace candela

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "materials/energy_store.h"
 #include "materials/medium.h"
 
 namespace candela {
@@ -68,14 +69,13 @@ std::optional<FilmInput> FilmInput::Create(ParamReader* params, const MaterialCo
   return FilmInput(ior, thickness);
 }
 
-FilmTable FilmInput::MakeTable(float outside, Rgb eta, Rgb k) const {
+std::shared_ptr<const FilmTable> FilmInput::Table(float outside, Rgb eta, Rgb k,
+                                                  EnergyStore* energies) const {
   const float to_outside = 1 / outside;
-  return {double{ior_} / double{outside},
-          double{outside},
-          eta * to_outside,
-          k * to_outside,
-          least_,
-          most_};
+  EnergyStore own;
+  return (energies ? energies : &own)
+      ->OfFilm({double{ior_} / double{outside}, double{outside}, eta * to_outside, k * to_outside,
+                least_, most_});
 }
 
 float FilmInput::ThicknessAt(const SurfacePoint& point) const {

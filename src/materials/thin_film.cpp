@@ -147,6 +147,8 @@ void FilmTable::FillColumn(int column, const Base& base, double step) {
     faces[c] = incidence.On({double{base.eta[c]}, double{base.k[c]}});
     bare[c] = Reflectance(faces[c], {1, 0});
   }
+  const bool is_grey = base.eta == Rgb(base.eta.x, base.eta.x, base.eta.x) &&
+                       base.k == Rgb(base.k.x, base.k.x, base.k.x);
   const double thickest = double{least_} + step * (rows_ - 1);
   const Wavelengths wavelengths(thickest * base.film * base.outside);
   const size_t count = wavelengths.at.size();
@@ -158,9 +160,12 @@ void FilmTable::FillColumn(int column, const Base& base, double step) {
   for (int row = 0; row < rows_; ++row) {
     double sums[3] = {};
     for (size_t i = 0; i < count; ++i) {
+      double change = 0;
       for (int c = 0; c < 3; ++c) {
         const auto weight = double{wavelengths.weights[i][c]};
-        if (weight > 0) sums[c] += weight * (Reflectance(faces[c], ways[i]) - bare[c]);
+        if (!(weight > 0)) continue;
+        if (!is_grey || change == 0) change = Reflectance(faces[c], ways[i]) - bare[c];
+        sums[c] += weight * change;
       }
       ways[i] = ways[i] * further[i];
     }

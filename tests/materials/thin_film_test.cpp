@@ -9,6 +9,7 @@
 #include "materials/conductor.h"
 #include "materials/conductor_lobe.h"
 #include "materials/dielectric.h"
+#include "materials/energy_store.h"
 #include "materials/fresnel.h"
 #include "math/wavelength.h"
 #include "tests/materials/scatter.h"
@@ -263,6 +264,25 @@ TEST(Film, OfATexturedThicknessIsThatOfEachPoint) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(HeadOn(middle)[c], HeadOn(even)[c], 1e-3f);
   EXPECT_EQ(bare.Phong({}).specular, HeadOn(bare));
   EXPECT_EQ(even.Phong({}).specular, HeadOn(even));
+}
+
+// Materials that are alike have one table in common, which takes its time.
+TEST(Film, OfTheSameKindIsTabulatedOnce) {
+  EnergyStore energies;
+  const auto share = NumberInput(std::make_shared<ConstantTexture>(Rgb{0.5f, 0.5f, 0.5f}));
+  const auto conductor = [&](float most, EnergyStore* store) {
+    const ConductorMaterial metal(kEta, kK, Roughness(), FilmInput(1.8f, 0, most, share), store);
+    return test::BsdfOf(metal, {0, 0, 1}).lobes[0].conductor.film.table;
+  };
+  const FilmTable* first = conductor(300, &energies);
+  EXPECT_EQ(conductor(300, &energies), first);
+  EXPECT_NE(conductor(301, &energies), first);
+  const auto glass = [&](float ior) {
+    const DielectricMaterial material({ior, {}}, Roughness(), {}, FilmInput(1.8f, 300), &energies);
+    return test::BsdfOf(material, {0, 0, 1}).lobes[0].dielectric.film.table;
+  };
+  EXPECT_EQ(glass(1.5f), glass(1.5f));
+  EXPECT_NE(glass(1.5f), glass(1.6f));
 }
 
 // A bubble is a film between air and air.

@@ -78,6 +78,33 @@ double Reflectance(const Faces& faces, Complex way) {
          2;
 }
 
+/// The same where no wave fades in the film, which means that the outer face sends back a real part
+/// of the amplitude and that the way only turns: with r of the outer face, s of the inner one and
+/// x = 2 r Re(s way) it is (r^2 + |s|^2 + x) / (1 + r^2 |s|^2 + x).
+class Fringes {
+ public:
+  explicit Fringes(const Faces& faces)
+      : s_(faces.outer_s.re, faces.inner_s), p_(faces.outer_p.re, faces.inner_p) {}
+
+  double Reflectance(Complex way) const {
+    const double s = s_.Swing(way), p = p_.Swing(way);
+    const double below_s = s_.below + s, below_p = p_.below + p;
+    return ((s_.above + s) * below_p + (p_.above + p) * below_s) / (2 * below_s * below_p);
+  }
+
+ private:
+  struct Polarisation {
+    Polarisation(double outer, Complex inner)
+        : swing(inner * (2 * outer)),
+          above(outer * outer + Norm(inner)),
+          below(1 + outer * outer * Norm(inner)) {}
+    double Swing(Complex way) const { return swing.re * way.re - swing.im * way.im; }
+    Complex swing;
+    double above, below;
+  };
+  Polarisation s_, p_;
+};
+
 /// The wavelengths of a sum and what they count for each colour, which adds up to 1.
 struct Wavelengths {
   /// So close to each other that light of neighbours comes back in nearly the same phase from a
@@ -142,13 +169,17 @@ void FilmTable::FillHorizon(const Base& base, double step) {
 void FilmTable::FillColumn(int column, const Base& base, double step) {
   const Incidence incidence(base.film, double{CosineOf(column)});
   Faces faces[3];
-  double bare[3];
   for (int c = 0; c < 3; ++c) {
     faces[c] = incidence.On({double{base.eta[c]}, double{base.k[c]}});
-    bare[c] = Reflectance(faces[c], {1, 0});
   }
   const bool is_grey = base.eta == Rgb(base.eta.x, base.eta.x, base.eta.x) &&
                        base.k == Rgb(base.k.x, base.k.x, base.k.x);
+  const bool is_waving = incidence.normal.im == 0;
+  const Fringes fringes[] = {Fringes(faces[0]), Fringes(faces[1]), Fringes(faces[2])};
+  const auto reflectance = [&](int c, Complex way) {
+    return is_waving ? fringes[c].Reflectance(way) : Reflectance(faces[c], way);
+  };
+  const double bare[] = {reflectance(0, {1, 0}), reflectance(1, {1, 0}), reflectance(2, {1, 0})};
   const double thickest = double{least_} + step * (rows_ - 1);
   const Wavelengths wavelengths(thickest * base.film * base.outside);
   const size_t count = wavelengths.at.size();
@@ -164,7 +195,7 @@ void FilmTable::FillColumn(int column, const Base& base, double step) {
       for (int c = 0; c < 3; ++c) {
         const auto weight = double{wavelengths.weights[i][c]};
         if (!(weight > 0)) continue;
-        if (!is_grey || change == 0) change = Reflectance(faces[c], ways[i]) - bare[c];
+        if (!is_grey || change == 0) change = reflectance(c, ways[i]) - bare[c];
         sums[c] += weight * change;
       }
       ways[i] = ways[i] * further[i];

@@ -157,6 +157,25 @@ TEST(FilmTable, HoldsTheMeansOverWavelengths) {
   }
 }
 
+// Where waves go through the film, and where they only fade in it, which tables sum up differently.
+// At their own cosines, as there is a kink between the two.
+TEST(FilmTable, HoldsThemOnBothSidesOfTheCriticalAngle) {
+  const double film = 0.8;
+  for (const float thickness : {50.0f, 200.0f, 600.0f}) {
+    const FilmTable table(film, 1, kEta, kK, thickness, thickness);
+    for (const double column : {30, 70, 98, 100, 110, 120}) {
+      const double cosine = std::pow(column / 128, 2);
+      const auto at = static_cast<float>(cosine);
+      const Rgb found = table.Over(ConductorReflectance(at, kEta, kK), at, 0);
+      for (int c = 0; c < 3; ++c) {
+        const FilmStack stack{film, {double{kEta[c]}, double{kK[c]}}};
+        EXPECT_NEAR(found[c], Colour(stack, double{thickness}, cosine, c), 1e-4)
+            << cosine << ", " << thickness;
+      }
+    }
+  }
+}
+
 TEST(FilmTable, ChangesNothingWithoutThicknessOrContrast) {
   const FilmTable range(1.8, 1, kEta, kK, 0, 400);
   const FilmTable as_outside(1, 1, kEta, kK, 300, 300);

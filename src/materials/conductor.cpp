@@ -64,25 +64,27 @@ std::unique_ptr<Material> ConductorMaterial::Create(ParamReader* params,
   if (brushing) {
     const float rotation = params->Number("rotation", 0);
     return std::make_unique<ConductorMaterial>(metal.eta, metal.k, *brushing, rotation,
-                                               FilmInput::Create(params, context));
+                                               FilmInput::Create(params, context),
+                                               context.energies.get());
   }
   Roughness roughness = Roughness::Create(params, context);
   return std::make_unique<ConductorMaterial>(metal.eta, metal.k, std::move(roughness),
-                                             FilmInput::Create(params, context));
+                                             FilmInput::Create(params, context),
+                                             context.energies.get());
 }
 
 ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Roughness roughness,
-                                     std::optional<FilmInput> film)
+                                     std::optional<FilmInput> film, EnergyStore* energies)
     : params_{eta, k, MeanConductorReflectance(eta, k), {0, 0}, 1, 0, nullptr, 0, false, {}},
       roughness_(std::move(roughness)),
       film_(std::move(film)) {
   if (!roughness_.IsNowhere()) energy_ = roughness_.MakeTable(MirrorFacet);
-  if (film_) film_table_ = film_->MakeTable(1, eta, k);
+  if (film_) film_table_ = film_->Table(1, eta, k, energies);
 }
 
 ConductorMaterial::ConductorMaterial(Rgb eta, Rgb k, Ggx surface, float rotation_degrees,
-                                     std::optional<FilmInput> film)
-    : ConductorMaterial(eta, k, Roughness::OfAlpha(0), std::move(film)) {
+                                     std::optional<FilmInput> film, EnergyStore* energies)
+    : ConductorMaterial(eta, k, Roughness::OfAlpha(0), std::move(film), energies) {
   const auto degrees = static_cast<double>(rotation_degrees);
   params_.cos_rotation = static_cast<float>(CosDegrees(degrees));
   params_.sin_rotation = static_cast<float>(SinDegrees(degrees));
@@ -103,7 +105,7 @@ PhongTerms ConductorMaterial::Phong(const SurfacePoint& point) const {
 FilmParams ConductorMaterial::FilmAt(const SurfacePoint& point) const {
   if (!film_) return {};
   FilmParams film{};
-  film.table = &*film_table_;
+  film.table = film_table_.get();
   film.row = film_table_->RowOf(film_->ThicknessAt(point));
   return film;
 }

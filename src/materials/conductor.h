@@ -14,12 +14,13 @@ namespace candela {
 /// Metal, polished, ground or brushed, bare or under a thin film, on both sides.
 class ConductorMaterial final : public Material {
  public:
+  /// `energies` has the tables of other materials; see `MaterialContext`.
   ConductorMaterial(Rgb eta, Rgb k, Roughness roughness,
-                    std::optional<FilmInput> film = std::nullopt);
+                    std::optional<FilmInput> film = std::nullopt, EnergyStore* energies = nullptr);
   /// Brushed: `rotation_degrees` turns the direction of `surface.alpha_x` in the surface,
   /// counter-clockwise as seen from outside, away from where the first texture coordinate grows.
   ConductorMaterial(Rgb eta, Rgb k, Ggx surface, float rotation_degrees,
-                    std::optional<FilmInput> film = std::nullopt);
+                    std::optional<FilmInput> film = std::nullopt, EnergyStore* energies = nullptr);
   static std::unique_ptr<Material> Create(ParamReader* params, const MaterialContext& context);
 
   PhongTerms Phong(const SurfacePoint& point) const override;
@@ -37,7 +38,7 @@ class ConductorMaterial final : public Material {
   Roughness roughness_;                ///< Of one that is not.
   std::optional<EnergyTable> energy_;  ///< Of a rough one.
   std::optional<FilmInput> film_;
-  std::optional<FilmTable> film_table_;
+  std::shared_ptr<const FilmTable> film_table_;
 };
 
 }  // namespace candela

@@ -42,17 +42,27 @@ class DielectricMaterial final : public Material {
   struct Tables {
     Medium a, b;
     Energies yellow;
-    /// Where the ratio of the indices depends much on the wavelength: for ratios that are evenly
-    /// spaced from the least one on.
-    std::vector<Energies> by_ratio;
-    float least_ratio = 0, ratio_step = 0;
-    std::optional<FilmTable> film;
+    /// Where light of each wavelength has its own: for values that are evenly spaced, from `least`
+    /// on, of the ratio of the indices, or where that lies around 1 of the root of what it is away
+    /// from it; under a film of the inverse of the wavelength.
+    std::vector<Energies> steps;
+    float least = 0, step = 0;
+    bool is_around_1 = false;
+    std::shared_ptr<const FilmTable> film;
+  };
+
+  /// Where light comes from.
+  struct Side {
+    const Tables* tables = nullptr;
+    bool is_from_a = false;
   };
 
   void AddTables(const Medium& a, const Medium& b, EnergyStore* energies);
   void AddEnergy(Tables* tables, EnergyStore* energies) const;
   void AddEnergyByRatio(Tables* tables, EnergyStore* energies) const;
-  const Tables* TablesOf(const Medium& here, const Medium& beyond) const;
+  void AddEnergyByWavelength(Tables* tables, EnergyStore* energies) const;
+  Energies EnergiesAt(const Tables& tables, float wavelength, EnergyStore* energies) const;
+  Side TablesOf(const Medium& here, const Medium& beyond, bool is_outside) const;
   static void SetEnergy(const Tables& tables, bool is_from_a, float wavelength,
                         DielectricParams* glass);
   FilmParams FilmOf(const Tables& tables, const Medium& here, const Medium& beyond,

@@ -205,7 +205,8 @@ DielectricParams OfColour(const DielectricParams& glass, int colour) {
 
 /// The value for a direction, with the colours of a film.
 Spectrum ValueByColour(const DielectricParams& glass, const FacetPath& path, Vec3 wo, Vec3 wi) {
-  if (!glass.film.table) return Spectrum(Value(glass, path, wo, wi));
+  const bool is_coloured = glass.film.table && glass.film.wavelength == 0;
+  if (!is_coloured) return Spectrum(Value(glass, path, wo, wi));
   Rgb values;
   FacetPath single = path;
   for (int c = 0; c < 3; ++c) {

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "materials/energy_store.h"
 #include "materials/medium.h"
 
 namespace candela {
@@ -32,8 +33,8 @@ Vec2 ReadRange(ParamReader* params) {
   params->Error(
       params->Where("film_thickness_range"),
       fmt::format("'film_thickness_range' expects two thicknesses in ascending order from "
-                  "0 to {} nm",
-                  FilmInput::kThickest));
+                  "0 to {} nm, found {} {}",
+                  FilmInput::kThickest, range.x, range.y));
   return {};
 }
 
@@ -43,7 +44,14 @@ FilmInput::FilmInput(float ior, float least, float most, NumberInput share)
     : ior_(ior), least_(least), most_(most), share_(std::move(share)) {}
 
 std::optional<FilmInput> FilmInput::Create(ParamReader* params, const MaterialContext& context) {
-  if (!params->Has("film_thickness")) return std::nullopt;
+  if (!params->Has("film_thickness")) {
+    for (const char* name : {"film_ior", "film_thickness_range"}) {
+      if (!params->Has(name)) continue;
+      params->Error(params->Where(name),
+                    fmt::format("'{}' is for a 'film_thickness', of which there is none", name));
+    }
+    return std::nullopt;
+  }
   const float ior = ReadIor(params);
   if (params->IsTexture("film_thickness")) {
     const NumberInput share = NumberInput::Fraction(params, "film_thickness", 0, context);
@@ -61,14 +69,13 @@ std::optional<FilmInput> FilmInput::Create(ParamReader* params, const MaterialCo
   return FilmInput(ior, thickness);
 }
 
-FilmTable FilmInput::MakeTable(float outside, Rgb eta, Rgb k) const {
+std::shared_ptr<const FilmTable> FilmInput::Table(float outside, Rgb eta, Rgb k,
+                                                  EnergyStore* energies) const {
   const float to_outside = 1 / outside;
-  return {double{ior_} / double{outside},
-          double{outside},
-          eta * to_outside,
-          k * to_outside,
-          least_,
-          most_};
+  EnergyStore own;
+  return (energies ? energies : &own)
+      ->OfFilm({double{ior_} / double{outside}, double{outside}, eta * to_outside, k * to_outside,
+                least_, most_});
 }
 
 float FilmInput::ThicknessAt(const SurfacePoint& point) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "materials/material_context.h"
@@ -25,8 +26,9 @@ class FilmInput {
   static std::optional<FilmInput> Create(ParamReader* params, const MaterialContext& context);
 
   /// For a base whose index, over that of air, is eta + i k for each colour, in a medium of the
-  /// index `outside`.
-  FilmTable MakeTable(float outside, Rgb eta, Rgb k) const;
+  /// index `outside`; from `energies` if that is not null.
+  std::shared_ptr<const FilmTable> Table(float outside, Rgb eta, Rgb k,
+                                         EnergyStore* energies) const;
 
   float ThicknessAt(const SurfacePoint& point) const;
   float ior() const { return ior_; }

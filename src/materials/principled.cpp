@@ -67,7 +67,8 @@ std::unique_ptr<Material> PrincipledMaterial::Create(ParamReader* params,
 PrincipledMaterial::PrincipledMaterial(Inputs inputs, std::span<const Medium> media,
                                        EnergyStore* energies)
     : inputs_(std::move(inputs)),
-      layers_(inputs_.ior, inputs_.roughness, inputs_.anisotropy, inputs_.rotation_degrees) {
+      layers_(inputs_.ior, inputs_.roughness, inputs_.anisotropy, inputs_.rotation_degrees,
+              energies) {
   if (MayBeAbove0(inputs_.clearcoat)) layers_.AddCoat(inputs_.clearcoat_roughness);
   if (MayBeAbove0(inputs_.sheen)) layers_.AddSheen();
   if (MayBeAbove0(inputs_.transmission)) {
@@ -104,7 +105,7 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   params.sin_rotation = is_outside ? layers_.sin_rotation : -layers_.sin_rotation;
   const float alpha = inputs_.roughness.AlphaAt(point), anisotropy = inputs_.anisotropy.At(point);
   params.surface = Brushed(alpha, anisotropy);
-  const BaseEnergy::Place place = layers_.metal.PlaceOf(alpha, anisotropy);
+  const BaseEnergy::Place place = layers_.metal->PlaceOf(alpha, anisotropy);
   params.row = place.row;
   params.brushing = place.brushing;
   params.metallic = metallic;
@@ -116,7 +117,7 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   params.coat_alpha = params.coat_row = 0;
   // Of light from everywhere what the coat reflects, and what more the dielectric below it does,
   // but for its colour.
-  float by_coat = 0, by_dielectric = layers_.dielectric.Mean(place);
+  float by_coat = 0, by_dielectric = layers_.dielectric->Mean(place);
   if (params.coat > 0) {
     params.coat_alpha = std::max(inputs_.clearcoat_roughness.AlphaAt(point), kSmoothestAlpha);
     params.coat_row = inputs_.clearcoat_roughness.TableRow(params.coat_alpha);
@@ -125,7 +126,7 @@ Lobe PrincipledMaterial::OpaqueLobe(const SurfacePoint& point, Rgb base_color, f
   }
   const Rgb let_through = Rgb{1, 1, 1} * (1 - by_coat) - params.specular * by_dielectric;
   params.ground = Over(base_color * ((1 - metallic) * kInvPi), let_through);
-  params.multiple = MultipleColour(base_color, layers_.metal.Mean(place)) * metallic;
+  params.multiple = MultipleColour(base_color, layers_.metal->Mean(place)) * metallic;
   return lobe;
 }
 

@@ -6,23 +6,27 @@
 namespace candela {
 namespace {
 
-EnergyTable::Facet CoatOf(float ior) {
-  return [ior](const Ggx& surface, Vec3 wo, Vec3 m) { return CoatFacet(ior, surface, wo, m); };
+std::shared_ptr<const BaseEnergy> BaseOf(std::optional<float> ior, const Roughness& roughness,
+                                         const NumberInput& anisotropy, EnergyStore* energies) {
+  EnergyStore own;
+  return (energies ? energies : &own)->OfBase(ior, roughness, anisotropy);
 }
 
 }  // namespace
 
 PrincipledLayers::PrincipledLayers(float ior, const Roughness& roughness,
-                                   const NumberInput& anisotropy, float rotation_degrees)
+                                   const NumberInput& anisotropy, float rotation_degrees,
+                                   EnergyStore* energies)
     : eta(ior),
       cos_rotation(static_cast<float>(CosDegrees(static_cast<double>(rotation_degrees)))),
       sin_rotation(static_cast<float>(SinDegrees(static_cast<double>(rotation_degrees)))),
-      dielectric(roughness, anisotropy, CoatOf(ior)),
-      metal(roughness, anisotropy, MirrorFacet) {}
+      dielectric(BaseOf(ior, roughness, anisotropy, energies)),
+      metal(BaseOf(std::nullopt, roughness, anisotropy, energies)) {}
 
 void PrincipledLayers::AddCoat(const Roughness& roughness) {
-  coat.emplace(roughness.MakeTable(CoatOf(kCoatIndex)));
-  mean_products_ = dielectric.MeansOfProduct(*coat);
+  coat.emplace(roughness.MakeTable(
+      [](const Ggx& surface, Vec3 wo, Vec3 m) { return CoatFacet(kCoatIndex, surface, wo, m); }));
+  mean_products_ = dielectric->MeansOfProduct(*coat);
 }
 
 }  // namespace candela

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "materials/base_energy.h"
+#include "materials/energy_store.h"
 #include "materials/energy_table.h"
 #include "materials/roughness.h"
 #include "materials/sheen_table.h"
@@ -17,8 +19,9 @@ class PrincipledLayers {
   /// The refractive index of the clear coat.
   static constexpr float kCoatIndex = 1.5f;
 
+  /// `energies` has the tables of other materials; see `MaterialContext`.
   PrincipledLayers(float ior, const Roughness& roughness, const NumberInput& anisotropy,
-                   float rotation_degrees);
+                   float rotation_degrees, EnergyStore* energies);
 
   /// What the parts below ask for; to be called before these are used.
   void AddCoat(const Roughness& roughness);
@@ -26,12 +29,12 @@ class PrincipledLayers {
 
   /// The mean, weighted by the cosine, of what the coat times the dielectric base below reflects.
   float MeanProduct(const BaseEnergy::Place& at, float coat_row) const {
-    return dielectric.MeanOfProduct(mean_products_, at, coat_row);
+    return dielectric->MeanOfProduct(mean_products_, at, coat_row);
   }
 
   float eta;                         ///< The refractive index of the dielectric part.
   float cos_rotation, sin_rotation;  ///< Of the brushing, in the frame.
-  BaseEnergy dielectric, metal;
+  std::shared_ptr<const BaseEnergy> dielectric, metal;
   std::optional<EnergyTable> coat;
   const SheenTable* sheen = nullptr;
 

@@ -46,9 +46,9 @@ Shares SharesAt(const PrincipledParams& params, const Vec3& w) {
   }
   if (params.coat > 0) shares.coat = params.coat * layers.coat->At(w.z, params.coat_row);
   const BaseEnergy::Place place = PlaceOf(params);
-  const float row = layers.metal.RowOf(place, w);
-  if (params.metallic < 1) shares.dielectric = layers.dielectric.At(place, w.z, row);
-  if (params.metallic > 0) shares.metal = layers.metal.At(place, w.z, row);
+  const float row = layers.metal->RowOf(place, w);
+  if (params.metallic < 1) shares.dielectric = layers.dielectric->At(place, w.z, row);
+  if (params.metallic > 0) shares.metal = layers.metal->At(place, w.z, row);
   return shares;
 }
 
@@ -131,7 +131,7 @@ LobeValue ValueAndPdf(const Lobe& lobe, const Vec3& wo, const Shares& at_o, cons
     reflectance += MetalReflectance(lobe.weight, cosine) * m;
     const float missing = (1 - at_o.metal) * (1 - at_i.metal);
     value += Spectrum(params.multiple) * (missing * below_coat);
-    pdf += choices.multiple * layers.metal.MissingPdf(PlaceOf(params), wi.z);
+    pdf += choices.multiple * layers.metal->MissingPdf(PlaceOf(params), wi.z);
   }
   const Mirrored base = MirroredBy(params.surface, wo, wi, facet);
   value += reflectance * (below_coat * base.value);
@@ -160,7 +160,7 @@ Vec3 Draw(const Lobe& lobe, const Choices& choices, const Vec3& wo, Vec2 u) {
   };
   if (is_chosen(choices.sheen)) return SampleUniformHemisphere(u);
   if (is_chosen(choices.multiple)) {
-    return params.layers->metal.SampleMissing(PlaceOf(params), u);
+    return params.layers->metal->SampleMissing(PlaceOf(params), u);
   }
   const bool is_coat = is_chosen(choices.coat);
   // The last one takes what rounding has left.

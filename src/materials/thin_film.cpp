@@ -72,11 +72,38 @@ double AirySum(Complex outer, Complex inner, Complex way) {
   const Complex q = inner * way;
   return Norm(outer + q) / Norm(Complex{1, 0} + outer * q);
 }
+/// Rounding may leave it above 1.
 double Reflectance(const Faces& faces, Complex way) {
-  return std::min(
-      (AirySum(faces.outer_s, faces.inner_s, way) + AirySum(faces.outer_p, faces.inner_p, way)) / 2,
-      1.0);
+  return (AirySum(faces.outer_s, faces.inner_s, way) + AirySum(faces.outer_p, faces.inner_p, way)) /
+         2;
 }
+
+/// The same where no wave fades in the film, which means that the outer face sends back a real part
+/// of the amplitude and that the way only turns: with r of the outer face, s of the inner one and
+/// x = 2 r Re(s way) it is (r^2 + |s|^2 + x) / (1 + r^2 |s|^2 + x).
+class Fringes {
+ public:
+  explicit Fringes(const Faces& faces)
+      : s_(faces.outer_s.re, faces.inner_s), p_(faces.outer_p.re, faces.inner_p) {}
+
+  double Reflectance(Complex way) const {
+    const double s = s_.Swing(way), p = p_.Swing(way);
+    const double below_s = s_.below + s, below_p = p_.below + p;
+    return ((s_.above + s) * below_p + (p_.above + p) * below_s) / (2 * below_s * below_p);
+  }
+
+ private:
+  struct Polarisation {
+    Polarisation(double outer, Complex inner)
+        : swing(inner * (2 * outer)),
+          above(outer * outer + Norm(inner)),
+          below(1 + outer * outer * Norm(inner)) {}
+    double Swing(Complex way) const { return swing.re * way.re - swing.im * way.im; }
+    Complex swing;
+    double above, below;
+  };
+  Polarisation s_, p_;
+};
 
 /// The wavelengths of a sum and what they count for each colour, which adds up to 1.
 struct Wavelengths {
@@ -107,8 +134,8 @@ float CosineOf(int column) {
 double FilmReflectance(const FilmStack& stack, double thickness, double wavelength, double cosine) {
   if (!(cosine > 0)) return 1;
   const Incidence incidence(stack.film, cosine);
-  return Reflectance(incidence.On(stack.base),
-                     incidence.ThereAndBack(thickness * stack.outside / wavelength));
+  const Complex way = incidence.ThereAndBack(thickness * stack.outside / wavelength);
+  return std::min(Reflectance(incidence.On(stack.base), way), 1.0);
 }
 
 FilmTable::FilmTable(double film, double outside, Rgb base_eta, Rgb base_k, float least, float most)
@@ -121,19 +148,38 @@ FilmTable::FilmTable(double film, double outside, Rgb base_eta, Rgb base_k, floa
   const Base base{film, outside, base_eta, base_k};
   const double step = rows_ > 1 ? range / (rows_ - 1) : 0;
   changes_.resize(static_cast<size_t>(rows_) * kColumns);
-  // Nothing changes in the first column, where everything is reflected.
+  FillHorizon(base, step);
   ParallelFor(kColumns - 1, [&](int64_t i) { FillColumn(static_cast<int>(i) + 1, base, step); });
   for (int row = 0; row < rows_; ++row) means_.push_back(MeanOf(Row(row)));
+}
+
+// In the first column everything is reflected, also by the bare surface, but where the base is as
+// the outside: there by the film alone.
+void FilmTable::FillHorizon(const Base& base, double step) {
+  for (int c = 0; c < 3; ++c) {
+    const bool is_film_alone = base.eta[c] == 1 && base.k[c] == 0 && base.film != 1;
+    if (!is_film_alone) continue;
+    for (int row = 0; row < rows_; ++row) {
+      const bool is_there = double{least_} + step * row > 0;
+      changes_[static_cast<size_t>(row) * kColumns][c] = is_there ? 1 : 0;
+    }
+  }
 }
 
 void FilmTable::FillColumn(int column, const Base& base, double step) {
   const Incidence incidence(base.film, double{CosineOf(column)});
   Faces faces[3];
-  double bare[3];
   for (int c = 0; c < 3; ++c) {
     faces[c] = incidence.On({double{base.eta[c]}, double{base.k[c]}});
-    bare[c] = Reflectance(faces[c], {1, 0});
   }
+  const bool is_grey = base.eta == Rgb(base.eta.x, base.eta.x, base.eta.x) &&
+                       base.k == Rgb(base.k.x, base.k.x, base.k.x);
+  const bool is_waving = incidence.normal.im == 0;
+  const Fringes fringes[] = {Fringes(faces[0]), Fringes(faces[1]), Fringes(faces[2])};
+  const auto reflectance = [&](int c, Complex way) {
+    return is_waving ? fringes[c].Reflectance(way) : Reflectance(faces[c], way);
+  };
+  const double bare[] = {reflectance(0, {1, 0}), reflectance(1, {1, 0}), reflectance(2, {1, 0})};
   const double thickest = double{least_} + step * (rows_ - 1);
   const Wavelengths wavelengths(thickest * base.film * base.outside);
   const size_t count = wavelengths.at.size();
@@ -145,9 +191,12 @@ void FilmTable::FillColumn(int column, const Base& base, double step) {
   for (int row = 0; row < rows_; ++row) {
     double sums[3] = {};
     for (size_t i = 0; i < count; ++i) {
+      double change = 0;
       for (int c = 0; c < 3; ++c) {
         const auto weight = double{wavelengths.weights[i][c]};
-        if (weight > 0) sums[c] += weight * (Reflectance(faces[c], ways[i]) - bare[c]);
+        if (!(weight > 0)) continue;
+        if (!is_grey || change == 0) change = reflectance(c, ways[i]) - bare[c];
+        sums[c] += weight * change;
       }
       ways[i] = ways[i] * further[i];
     }

@@ -47,7 +47,8 @@ class FilmTable {
     double film, outside;
     Rgb eta, k;
   };
-  /// For thicknesses that are `step` apart.
+  // For thicknesses that are `step` apart.
+  void FillHorizon(const Base& base, double step);
   void FillColumn(int column, const Base& base, double step);
   static Rgb MeanOf(const Rgb* row);
   const Rgb* Row(int row) const;

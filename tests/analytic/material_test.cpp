@@ -93,6 +93,9 @@ TEST(WhiteBall, UnderAThinFilmIsInvisibleInTheFurnace) {
       2e-3);
   ExpectInvisible("Material { name ball type dielectric film_ior 2.2 film_thickness 250 abbe 20 }",
                   5e-3, 256);
+  ExpectInvisible(
+      "Material { name ball type dielectric abbe 2 film_ior 1.5 film_thickness 150 roughness 1 }",
+      5e-3, 1024);
   ExpectInvisible("Material { name ball type conductor eta 0 0 0 k 3 3 3 film_thickness 250 }",
                   2e-3);
   ExpectInvisible(

@@ -8,6 +8,7 @@
 
 #include "materials/conductor.h"
 #include "materials/dielectric.h"
+#include "materials/energy_store.h"
 #include "materials/retroreflective.h"
 #include "math/elementary.h"
 #include "tests/materials/scatter.h"
@@ -27,6 +28,25 @@ PrincipledMaterial::Inputs Coloured(Rgb color, float alpha) {
   inputs.base_color = color;
   inputs.roughness = Roughness::OfAlpha(alpha);
   return inputs;
+}
+
+// Those that are alike have their tables in common: brushed by a texture they take a second.
+TEST(Principled, OfTheSameKindIsTabulatedOnce) {
+  EnergyStore energies;
+  const auto layers = [&](float ior, float alpha) {
+    PrincipledMaterial::Inputs inputs = Coloured({1, 1, 1}, alpha);
+    inputs.ior = ior;
+    inputs.anisotropy = 0.5f;
+    const PrincipledMaterial material(inputs, {}, &energies);
+    return *BsdfOf(material, kNormal).lobes[0].principled.layers;
+  };
+  const PrincipledLayers first = layers(1.5f, 0.25f), same = layers(1.5f, 0.25f);
+  EXPECT_EQ(same.metal, first.metal);
+  EXPECT_EQ(same.dielectric, first.dielectric);
+  const PrincipledLayers denser = layers(1.6f, 0.25f), rougher = layers(1.5f, 0.5f);
+  EXPECT_EQ(denser.metal, first.metal);
+  EXPECT_NE(denser.dielectric, first.dielectric);
+  EXPECT_NE(rougher.metal, first.metal);
 }
 
 /// Pairs of directions at many angles.

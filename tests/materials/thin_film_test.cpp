@@ -9,6 +9,7 @@
 #include "materials/conductor.h"
 #include "materials/conductor_lobe.h"
 #include "materials/dielectric.h"
+#include "materials/energy_store.h"
 #include "materials/fresnel.h"
 #include "math/wavelength.h"
 #include "tests/materials/scatter.h"
@@ -156,6 +157,25 @@ TEST(FilmTable, HoldsTheMeansOverWavelengths) {
   }
 }
 
+// Where waves go through the film, and where they only fade in it, which tables sum up differently.
+// At their own cosines, as there is a kink between the two.
+TEST(FilmTable, HoldsThemOnBothSidesOfTheCriticalAngle) {
+  const double film = 0.8;
+  for (const float thickness : {50.0f, 200.0f, 600.0f}) {
+    const FilmTable table(film, 1, kEta, kK, thickness, thickness);
+    for (const double column : {30, 70, 98, 100, 110, 120}) {
+      const double cosine = std::pow(column / 128, 2);
+      const auto at = static_cast<float>(cosine);
+      const Rgb found = table.Over(ConductorReflectance(at, kEta, kK), at, 0);
+      for (int c = 0; c < 3; ++c) {
+        const FilmStack stack{film, {double{kEta[c]}, double{kK[c]}}};
+        EXPECT_NEAR(found[c], Colour(stack, double{thickness}, cosine, c), 1e-4)
+            << cosine << ", " << thickness;
+      }
+    }
+  }
+}
+
 TEST(FilmTable, ChangesNothingWithoutThicknessOrContrast) {
   const FilmTable range(1.8, 1, kEta, kK, 0, 400);
   const FilmTable as_outside(1, 1, kEta, kK, 300, 300);
@@ -169,6 +189,34 @@ TEST(FilmTable, ChangesNothingWithoutThicknessOrContrast) {
     }
   }
   EXPECT_EQ(range.Mean(0), Rgb());
+}
+
+// `Over` cuts at 1, so what a metal reflects that absorbs nothing shows no gain: this does.
+TEST(FilmTable, ChangesNothingOnMetalThatAbsorbsNothing) {
+  for (const float k : {0.5f, 3.0f}) {
+    for (const double film : {1.4, 2.2}) {
+      const FilmTable table(film, 1, {0, 0, 0}, {k, k, k}, 50, 450);
+      for (const double cosine : kCosines) {
+        for (int i = 0; i <= 20; ++i) {
+          const Rgb change =
+              table.At(static_cast<float>(cosine), table.RowOf(50 + 20 * static_cast<float>(i)));
+          for (int c = 0; c < 3; ++c) EXPECT_NEAR(change[c], 0, 1e-6f) << film << ", " << cosine;
+        }
+      }
+    }
+  }
+}
+
+// Along the surface all light is reflected: by the base, and between equal media by the film alone.
+TEST(FilmTable, ReflectsAllAtTheHorizon) {
+  const FilmTable bubble(1.333, 1, {1, 1, 1}, {0, 0, 0}, 0, 400);
+  for (const float cosine : {0.0f, 1e-6f, 2e-5f}) {
+    const Rgb reflected = bubble.Over({0, 0, 0}, cosine, bubble.RowOf(300));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflected[c], 1, 0.02f) << cosine;
+    EXPECT_EQ(bubble.At(cosine, 0), Rgb()) << cosine;
+  }
+  const FilmTable glass(1.333, 1, {1.5f, 1.5f, 1.5f}, {0, 0, 0}, 300, 300);
+  EXPECT_EQ(glass.Over({1, 1, 1}, 0, 0), Rgb(1, 1, 1));
 }
 
 TEST(FilmTable, KnowsTheMeanOverDirections) {
@@ -235,6 +283,25 @@ TEST(Film, OfATexturedThicknessIsThatOfEachPoint) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(HeadOn(middle)[c], HeadOn(even)[c], 1e-3f);
   EXPECT_EQ(bare.Phong({}).specular, HeadOn(bare));
   EXPECT_EQ(even.Phong({}).specular, HeadOn(even));
+}
+
+// Materials that are alike have one table in common, which takes its time.
+TEST(Film, OfTheSameKindIsTabulatedOnce) {
+  EnergyStore energies;
+  const auto share = NumberInput(std::make_shared<ConstantTexture>(Rgb{0.5f, 0.5f, 0.5f}));
+  const auto conductor = [&](float most, EnergyStore* store) {
+    const ConductorMaterial metal(kEta, kK, Roughness(), FilmInput(1.8f, 0, most, share), store);
+    return test::BsdfOf(metal, {0, 0, 1}).lobes[0].conductor.film.table;
+  };
+  const FilmTable* first = conductor(300, &energies);
+  EXPECT_EQ(conductor(300, &energies), first);
+  EXPECT_NE(conductor(301, &energies), first);
+  const auto glass = [&](float ior) {
+    const DielectricMaterial material({ior, {}}, Roughness(), {}, FilmInput(1.8f, 300), &energies);
+    return test::BsdfOf(material, {0, 0, 1}).lobes[0].dielectric.film.table;
+  };
+  EXPECT_EQ(glass(1.5f), glass(1.5f));
+  EXPECT_NE(glass(1.5f), glass(1.6f));
 }
 
 // A bubble is a film between air and air.

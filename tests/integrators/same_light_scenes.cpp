@@ -24,7 +24,7 @@ const char* kMaterials =
     "Material { name glass type dielectric ior 1.5 }\n"
     "Material { name amber type dielectric ior 1.5 absorption 0.2 0.6 1.5 }\n"
     "Material { name ground type dielectric ior 1.5 roughness 0.5 }\n"
-    "Material { name split type dielectric ior 1.5 abbe 8 roughness 0.4 }\n"
+    "Material { name split type dielectric ior 1.5 abbe 8 roughness 0.5 }\n"
     "Material { name pane type dielectric ior 1.5 thin true thickness 1 absorption 0.1 0.3 0.6 }\n"
     "Material { name mixed type mix first clay second mirror amount 0.3 }\n"
     "Material { name net type mask material clay opacity 0.6 }\n"
@@ -134,7 +134,7 @@ std::vector<NamedScene> Scenes() {
       {"glass", 2, Scene(Corner() + Ball("glass") + RectangleLamp())},
       {"absorbing_glass_under_a_sky", 8, Scene(Corner() + Ball("amber"), kEvenSky)},
       {"ground_glass", 10, Scene(Corner() + Ball("ground") + RectangleLamp())},
-      {"ground_glass_that_splits", 16, Scene(Corner() + Ball("split") + RectangleLamp())},
+      {"ground_glass_that_splits", 32, Scene(Corner() + Ball("split") + RectangleLamp())},
       {"pane_before_a_lamp", 6,
        Scene(Corner() + Ball("clay") + RectangleLamp() +
              Object("pane", "translate 0 1 0.5 x_rotate 80", "rectangle width 3 height 2"))},

@@ -172,8 +172,8 @@ void FilmTable::FillColumn(int column, const Base& base, double step) {
   for (int c = 0; c < 3; ++c) {
     faces[c] = incidence.On({double{base.eta[c]}, double{base.k[c]}});
   }
-  const bool is_grey = base.eta == Rgb(base.eta.x, base.eta.x, base.eta.x) &&
-                       base.k == Rgb(base.k.x, base.k.x, base.k.x);
+  const bool is_grey = base.eta == Rgb{base.eta.x, base.eta.x, base.eta.x} &&
+                       base.k == Rgb{base.k.x, base.k.x, base.k.x};
   const bool is_waving = incidence.normal.im == 0;
   const Fringes fringes[] = {Fringes(faces[0]), Fringes(faces[1]), Fringes(faces[2])};
   const auto reflectance = [&](int c, Complex way) {

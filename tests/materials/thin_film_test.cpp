@@ -216,7 +216,7 @@ TEST(FilmTable, ReflectsAllAtTheHorizon) {
     EXPECT_EQ(bubble.At(cosine, 0), Rgb()) << cosine;
   }
   const FilmTable glass(1.333, 1, {1.5f, 1.5f, 1.5f}, {0, 0, 0}, 300, 300);
-  EXPECT_EQ(glass.Over({1, 1, 1}, 0, 0), Rgb(1, 1, 1));
+  EXPECT_EQ(glass.Over({1, 1, 1}, 0, 0), (Rgb{1, 1, 1}));
 }
 
 TEST(FilmTable, KnowsTheMeanOverDirections) {

@@ -98,7 +98,7 @@ bool Group::HasUnbounded() const {
 
 uint64_t Group::MemoryBytes() const {
   uint64_t bytes = 0;
-  for (const auto& item : data_.items) bytes += item.steps.capacity() * sizeof(Mat4);
+  for (const auto& item : data_.items) bytes += item.motion.MemoryBytes();
   if (data_.structure) return bytes + data_.structure->MemoryBytes();
   return bytes + data_.records.size() * sizeof(kernel::Record) +
          data_.triangle_ids.capacity() * sizeof(uint32_t);

@@ -11,7 +11,7 @@
 #include "kernel/isa.h"
 #include "kernel/primitive_set.h"
 #include "kernel/record.h"
-#include "math/mat4.h"
+#include "math/moving_transform.h"
 
 namespace candela {
 class Group;
@@ -29,7 +29,7 @@ struct ItemFacts {
   const HitFilter* filter = nullptr;
   const PrimitiveSet* set = nullptr;
   std::shared_ptr<const Group> group;
-  std::vector<Mat4> steps;  ///< Of a moving instance, one matrix for each time step; else empty.
+  MovingInverse motion;  ///< Of an instance that moves; else without steps.
 };
 
 /// A built group: the tree and what its searches need. `BuildGroup` makes it.

@@ -1,13 +1,11 @@
 #include "kernel/instance_step.h"
 
-#include "math/moving_transform.h"
-
 namespace candela::kernel {
 
-Transform GroupFromWorldAt(const ItemFacts& facts, float time) {
-  // A matrix on the way may have no inverse; then nothing of the group is there.
-  const auto inverse = InverseAffine(MatrixAt(facts.steps, time));
-  return inverse ? Transform(*inverse) : Transform(Mat4{});
+void TakeInsideAt(const ItemFacts& facts, float time, Vec3* origin, Vec3* direction) {
+  const auto group_from_world = facts.motion.At(time);
+  *origin = group_from_world ? group_from_world->Point(*origin) : Vec3{};
+  *direction = group_from_world ? group_from_world->Vector(*direction) : Vec3{};
 }
 
 }  // namespace candela::kernel

@@ -4,8 +4,10 @@
 
 namespace candela::kernel {
 
-/// The map into a moving instance's group at a time. Compiled once, for all instruction sets.
-Transform GroupFromWorldAt(const ItemFacts& facts, float time);
+/// Takes a ray into the space that a moving instance's group has at a time; where the matrix on the
+/// way has no inverse nothing of the group is there, and the direction becomes 0. Compiled once,
+/// for all instruction sets.
+void TakeInsideAt(const ItemFacts& facts, float time, Vec3* origin, Vec3* direction);
 
 /// Takes the ray into the space of an instance's group, where t stays what it is. False when there
 /// is nothing for it there.
@@ -14,10 +16,13 @@ template <class L>
                                               Search<L>* search) {
   const ItemFacts& facts = search->group->items[item];
   if ((facts.mask & search->asked->mask) == 0) return false;
-  const Transform group_from_world =
-      facts.steps.empty() ? at_rest : GroupFromWorldAt(facts, search->Time());
-  const Vec3 origin = group_from_world.Point(search->space.sheared.origin);
-  const Vec3 direction = group_from_world.Vector(search->space.sheared.direction);
+  Vec3 origin = search->space.sheared.origin, direction = search->space.sheared.direction;
+  if (facts.motion.steps().empty()) {
+    origin = at_rest.Point(origin);
+    direction = at_rest.Vector(direction);
+  } else {
+    TakeInsideAt(facts, search->Time(), &origin, &direction);
+  }
   if (!IsTraceable<L>(origin, direction)) return false;
 
   search->outer[search->level] = {search->group, search->space};

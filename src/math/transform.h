@@ -13,6 +13,13 @@ class Transform {
   Transform() = default;
   explicit Transform(const Mat4& matrix);
 
+  /// The map with the same linear part that takes the origin to `offset`.
+  Transform WithOffset(Vec3 offset) const {
+    Transform moved = *this;
+    moved.offset_ = offset;
+    return moved;
+  }
+
   Vec3 Point(Vec3 p) const { return Vector(p) + offset_; }
   Vec3 Vector(Vec3 v) const { return is_translation_ ? v : x_ * v.x + y_ * v.y + z_ * v.z; }
 

@@ -34,7 +34,9 @@ Result<void> CopyFacts(const GroupInput& input, std::span<const BuildItem> items
     } else if (const auto* instance = std::get_if<InstanceInput>(&item.content)) {
       if (auto usable = CheckInstance(item, *instance, *group); !usable) return usable;
       facts.group = instance->group;
-      if (instance->world_from_group.size() > 1) facts.steps = instance->world_from_group;
+      if (instance->world_from_group.size() > 1) {
+        facts.motion = MovingInverse(instance->world_from_group);
+      }
       group->moves |= facts.group->data().moves;
       group->levels = std::max(group->levels, 1 + facts.group->data().levels);
     }

@@ -88,7 +88,7 @@ class Refitter {
       if (facts.set != items_[i].set || facts.count != items_[i].count) return false;
       if (facts.group != (instance ? instance->group : nullptr)) return false;
       const size_t steps = instance && items_[i].steps > 1 ? items_[i].steps : 0;
-      if (facts.steps.size() != steps) return false;
+      if (facts.motion.steps().size() != steps) return false;
     }
     return true;
   }
@@ -202,7 +202,9 @@ class Refitter {
   void CopyInstances() {
     for (size_t i = 0; i < input_.size(); ++i) {
       const InstanceInput* const instance = items_[i].instance;
-      if (instance && items_[i].IsMoving()) group_.items[i].steps = instance->world_from_group;
+      if (instance && items_[i].IsMoving()) {
+        group_.items[i].motion = MovingInverse(instance->world_from_group);
+      }
     }
     for (const Reference reference : group_.unbounded) {
       if (KindOf(reference) == RecordKind::kInstance) FitInstance(reference);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/make_at.h"
 #include "integrators/course_rays.h"
 #include "integrators/distribution.h"
 #include "integrators/path_queue.h"
@@ -166,7 +167,7 @@ void WhittedIntegrator::FindSurfaces(Batch* batch, Observer* observer) const {
     shading.normal = surface.n_shading;
     shading.eye = Normalize(ray.direction);
     shading.mirrored = Mirrored(shading.eye, surface.n_shading);
-    shading.terms = scene_.material(hit).Phong(surface);
+    MakeAt(&shading.terms, [&] { return scene_.material(hit).Phong(surface); });
     shading.light = Rgb();
     observer->OnHit(ray, hit, surface.n_shading, shading.terms);
   }
@@ -178,7 +179,8 @@ void WhittedIntegrator::FindShadows(const Light& light, RayOrder order, Batch* b
   const auto samples = FirstOf(&batch->light_samples, count);
   for (size_t i = 0; i < count; ++i) {
     const Vec3 p = batch->shadings[i].p;
-    const LightSample& sample = samples[i] = light.SampleIncident(p);
+    LightSample& sample = samples[i];
+    MakeAt(&sample, [&] { return light.SampleIncident(p); });
     StartRay(p, sample.direction, kWholeShadowRay, ShadowLimit(sample.distance),
              batch->paths.rays()[i].time, &rays[i]);
   }

@@ -62,9 +62,9 @@ std::unique_ptr<Light> IesLight::Create(ParamReader* params, const LightContext&
 LightSample IesLight::SampleIncident(Vec3 p) const {
   const WayToLight way(p, position_);
   if (way.IsNone()) return {};
-  const auto& [direction, distance, squared] = way;
+  const Vec3 direction = way.Direction();
   const float intensity = profile_->Intensity(frame_.ToLocal(-direction));
-  return {direction, Spectrum(color_ * (intensity / squared)), distance};
+  return {direction, Spectrum(color_ * (intensity / way.squared)), way.distance};
 }
 
 // The mean of the intensity over the cone that it shines into, as if it was so all around.

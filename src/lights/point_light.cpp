@@ -22,9 +22,8 @@ std::unique_ptr<Light> PointLight::Create(ParamReader* params, const LightContex
 LightSample PointLight::SampleIncident(Vec3 p) const {
   const WayToLight way(p, position_);
   if (way.IsNone()) return {};
-  const auto& [direction, distance, squared] = way;
-  const Rgb radiance = color_ / falloff_.At(distance, squared);
-  return {direction, Spectrum(radiance), distance};
+  const Rgb radiance = color_ / falloff_.At(way.distance, way.squared);
+  return {way.Direction(), Spectrum(radiance), way.distance};
 }
 
 LightReach PointLight::Reach() const {

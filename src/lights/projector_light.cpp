@@ -148,12 +148,12 @@ float ProjectorLight::PdfOfPlace(Vec2 uv) const {
 LightSample ProjectorLight::SampleIncident(Vec3 p) const {
   const WayToLight way(p, position_);
   if (way.IsNone()) return {};
-  const auto& [direction, distance, squared] = way;
+  const Vec3 direction = way.Direction();
   const Place place = PlaceOf(-direction);
-  if (place.cosine == 0) return {direction, {}, distance};
+  if (place.cosine == 0) return {direction, {}, way.distance};
   const float cube = place.cosine * place.cosine * place.cosine;
-  const Rgb radiance = intensity_ * ImageAt(place.uv) / (cube * squared);
-  return {direction, Spectrum(radiance), distance};
+  const Rgb radiance = intensity_ * ImageAt(place.uv) / (cube * way.squared);
+  return {direction, Spectrum(radiance), way.distance};
 }
 
 LightReach ProjectorLight::Reach() const {

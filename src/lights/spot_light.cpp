@@ -51,10 +51,10 @@ float SpotLight::Brightness(float cosine) const {
 LightSample SpotLight::SampleIncident(Vec3 p) const {
   const WayToLight way(p, position_);
   if (way.IsNone()) return {};
-  const auto& [direction, distance, squared] = way;
+  const Vec3 direction = way.Direction();
   const Rgb radiance =
-      color_ * (Brightness(-Dot(direction, direction_)) / falloff_.At(distance, squared));
-  return {direction, Spectrum(radiance), distance};
+      color_ * (Brightness(-Dot(direction, direction_)) / falloff_.At(way.distance, way.squared));
+  return {direction, Spectrum(radiance), way.distance};
 }
 
 LightReach SpotLight::Reach() const {

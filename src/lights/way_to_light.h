@@ -9,16 +9,18 @@ namespace candela {
 /// The straight way from a point to a light that is in one place.
 struct WayToLight {
   WayToLight(Vec3 from, Vec3 to) {
-    const Vec3 way = to - from;
-    squared = Dot(way, way);
+    offset = to - from;
+    squared = Dot(offset, offset);
     distance = std::sqrt(squared);
-    direction = way / distance;
   }
 
   /// In the light itself there is no direction to it.
   bool IsNone() const { return squared == 0; }
 
-  Vec3 direction;           ///< A unit vector.
+  /// As a unit vector. Made where it is wanted: a copy of what has just been stored in parts waits.
+  Vec3 Direction() const { return offset / distance; }
+
+  Vec3 offset;
   float distance, squared;  ///< How far it is, and the square of that.
 };
 

@@ -17,20 +17,22 @@ class SamplePlacer {
  public:
   explicit SamplePlacer(const RenderOptions& options);
 
-  struct Placed {
-    SampleRequest request;
+  struct Place {
     float weight;
     float off_centre;  ///< The square of its distance from the middle of the pixel.
   };
-  /// Series 1 has random numbers that know nothing of those of series 0: they are those of a pixel
-  /// that no picture has.
-  Placed Place(int x, int y, uint32_t index, uint32_t series = 0) const {
+  /// Makes the request for a sample. Series 1 has random numbers that know nothing of those of
+  /// series 0: they are those of a pixel that no picture has.
+  Place Request(int x, int y, uint32_t index, uint32_t series, SampleRequest* request) const {
     const uint32_t row = static_cast<uint32_t>(y) | series << kSeriesBit;
     const FilterSample position =
         pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, row, index);
-    return {{static_cast<uint32_t>(x), row, index, plane_.PointOf(x, y, position.offset),
-             plane_.Spacing()},
-            position.weight,
+    request->x = static_cast<uint32_t>(x);
+    request->y = row;
+    request->index = index;
+    request->image_point = plane_.PointOf(x, y, position.offset);
+    request->spacing = plane_.Spacing();
+    return {position.weight,
             position.offset.x * position.offset.x + position.offset.y * position.offset.y};
   }
 

@@ -52,11 +52,11 @@ bool SampleTracer::TraceWindow(const PixelWindow& window, SampleRange range, Fil
   bool is_cancelled = false;
   ForEachPixel(window, [&](int x, int y) {
     for (uint32_t index = range.begin; index < range.end; ++index) {
-      const SamplePlacer::Placed placed = placer_.Place(x, y, index, range.series);
-      requests_.push_back(placed.request);
-      weights_.push_back(placed.weight);
+      const SamplePlacer::Place place =
+          placer_.Request(x, y, index, range.series, &requests_.emplace_back());
+      weights_.push_back(place.weight);
       if (has_layers_) {
-        const bool is_nearest = tile->LayersAt(x, y).IsNearest(placed.off_centre, index);
+        const bool is_nearest = tile->LayersAt(x, y).IsNearest(place.off_centre, index);
         wants_surface_.push_back(is_nearest ? 1 : 0);
       }
       if (requests_.size() < kBatch) continue;

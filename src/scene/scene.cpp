@@ -53,9 +53,19 @@ MovingTransform::Pair WaysAt(const SceneObject& object, float time) {
 
 }  // namespace
 
+// Each of these has one variable that it returns, which is made where the caller wants it.
 SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
   const SceneObject& object = objects_[hit.object];
-  if (object.is_moving) return MovingShadingAt(object, ray, hit);
+  return object.is_moving ? MovingShadingAt(object, ray, hit) : RestingShadingAt(object, ray, hit);
+}
+
+SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
+  const SceneObject& object = objects_[hit.object];
+  return object.is_moving ? MovingSurfaceAt(object, ray, hit) : RestingSurfaceAt(object, ray, hit);
+}
+
+SurfacePoint Scene::RestingShadingAt(const SceneObject& object, const Ray& ray,
+                                     const HitRecord& hit) {
   SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
   if (object.is_textured) AddTextureSpace(object, hit, &point);
   ToWorldForShading(object, object.object_from_world, &point);
@@ -64,7 +74,7 @@ SurfacePoint Scene::ShadingAt(const Ray& ray, const HitRecord& hit) const {
 }
 
 SurfacePoint Scene::MovingShadingAt(const SceneObject& object, const Ray& ray,
-                                    const HitRecord& hit) const {
+                                    const HitRecord& hit) {
   const Transform object_from_world = WaysAt(object, ray.time).object_from_world;
   SurfacePoint point = object.shape->SurfaceAt(SceneObject::ToObject(ray, object_from_world), hit);
   point.time = ray.time;
@@ -74,22 +84,20 @@ SurfacePoint Scene::MovingShadingAt(const SceneObject& object, const Ray& ray,
   return point;
 }
 
-SurfacePoint Scene::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
-  const SceneObject& object = objects_[hit.object];
-  if (object.is_moving) return MovingSurfaceAt(object, ray, hit);
+SurfacePoint Scene::RestingSurfaceAt(const SceneObject& object, const Ray& ray,
+                                     const HitRecord& hit) {
   SurfacePoint point = object.shape->SurfaceAt(object.ToObject(ray), hit);
   if (object.is_textured) AddTextureSpace(object, hit, &point);
-  if (object.is_baked) {
-    const bool is_flat = point.n_shading == point.n_geometric;
-    if (!is_flat) point.n_shading = NormalizeAnyLength(point.n_shading);
-    return point;
+  if (!object.is_baked) {
+    ToWorld(object, object.world_from_object, object.object_from_world, &point);
+  } else if (point.n_shading != point.n_geometric) {
+    point.n_shading = NormalizeAnyLength(point.n_shading);
   }
-  ToWorld(object, object.world_from_object, object.object_from_world, &point);
   return point;
 }
 
 SurfacePoint Scene::MovingSurfaceAt(const SceneObject& object, const Ray& ray,
-                                    const HitRecord& hit) const {
+                                    const HitRecord& hit) {
   const auto [world_from_object, object_from_world] = WaysAt(object, ray.time);
   SurfacePoint point = object.shape->SurfaceAt(SceneObject::ToObject(ray, object_from_world), hit);
   point.time = ray.time;

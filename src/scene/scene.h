@@ -115,11 +115,15 @@ class Scene {
   friend class SceneCompiler;
   Scene() = default;
 
-  // The same for objects that move.
-  SurfacePoint MovingShadingAt(const SceneObject& object, const Ray& ray,
-                               const HitRecord& hit) const;
-  SurfacePoint MovingSurfaceAt(const SceneObject& object, const Ray& ray,
-                               const HitRecord& hit) const;
+  // Of objects that rest, and that move.
+  static SurfacePoint RestingShadingAt(const SceneObject& object, const Ray& ray,
+                                       const HitRecord& hit);
+  static SurfacePoint RestingSurfaceAt(const SceneObject& object, const Ray& ray,
+                                       const HitRecord& hit);
+  static SurfacePoint MovingShadingAt(const SceneObject& object, const Ray& ray,
+                                      const HitRecord& hit);
+  static SurfacePoint MovingSurfaceAt(const SceneObject& object, const Ray& ray,
+                                      const HitRecord& hit);
 
   std::unique_ptr<const Camera> camera_;
   Background background_;

@@ -99,7 +99,7 @@ Result<std::string> Table(const BenchOptions& options) {
     const double error = TrimmedRelativeError(picture.image, reference);
     const double product = error * picture.seconds;
     if (entry.choice == LightChoice::kUniform) of_uniform = product;
-    text += fmt::format("| {} | {:.5f} | {:.2f} | {:.5f} | {:.4f} |\n", name, error,
+    text += fmt::format("| {} | {:.3g} | {:.2f} | {:.3g} | {:.3g} |\n", name, error,
                         picture.seconds, product, product / of_uniform);
   }
   return text;

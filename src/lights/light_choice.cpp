@@ -7,7 +7,7 @@ namespace {
 
 constexpr LightChoiceEntry kLightChoices[] = {
     {"effect", LightChoice::kByEffect,
-     "by what each may give there, with more than 32 lights by way of a tree"},
+     "by what each may give there, with more than 128 lights by way of a tree"},
     {"power", LightChoice::kByPower, "by power alone"},
     {"uniform", LightChoice::kUniform, "all alike"},
 };

@@ -20,7 +20,7 @@ namespace candela {
 class LightPicker {
  public:
   /// More lights are not looked at one by one for each point.
-  static constexpr size_t kFew = 32;
+  static constexpr size_t kFew = 128;
 
   /// Lights without power are never chosen. `size` is that of the scene: at this distance a light
   /// of the scene counts as much as one infinitely far of the same irradiance.

@@ -41,7 +41,7 @@ class LightPickerTest : public testing::TestWithParam<int> {
 };
 
 // Few, which are looked at one by one, and many.
-INSTANTIATE_TEST_SUITE_P(Counts, LightPickerTest, testing::Values(0, 1, 8, 100, 2000));
+INSTANTIATE_TEST_SUITE_P(Counts, LightPickerTest, testing::Values(0, 1, 8, 100, 200, 2000));
 
 // P1
 TEST_P(LightPickerTest, ChoosesAsOftenAsItsProbabilitySays) {

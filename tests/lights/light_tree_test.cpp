@@ -178,8 +178,8 @@ TEST(LightTree, StaysANumberWithTheLargestPlacesAndPowers) {
 // Beside the tree stand suns; together they are chosen by what they give, and no lamp is left out.
 TEST(LightPickerOfMany, WeighsSunsAgainstTheTree) {
   std::vector<PointLight> lamps;
-  for (int i = 0; i < 50; ++i) lamps.emplace_back(Vec3{0, 0, 0}, Rgb{1, 1, 1}, 1.0f);
-  const DirectionalLight sun({0, -1, 0}, {50, 50, 50}), moon({0, -1, 0}, {25, 25, 25});
+  for (int i = 0; i < 200; ++i) lamps.emplace_back(Vec3{0, 0, 0}, Rgb{1, 1, 1}, 1.0f);
+  const DirectionalLight sun({0, -1, 0}, {200, 200, 200}), moon({0, -1, 0}, {100, 100, 100});
   std::vector<const Light*> lights = {&sun, &moon};
   for (const PointLight& lamp : lamps) lights.push_back(&lamp);
   const LightPicker picker(lights, 1, LightChoice::kByEffect);
@@ -187,10 +187,10 @@ TEST(LightPickerOfMany, WeighsSunsAgainstTheTree) {
   const auto expected = [&](float share, uint32_t light) {
     return 0.9f * share + 0.1f * by_power.Probability(Vec3(), light);
   };
-  // All lamps together have the irradiance 50 at distance 1.
+  // All lamps together have the irradiance 200 at distance 1.
   EXPECT_NEAR(picker.Probability(Vec3{1, 0, 0}, 0), expected(0.4f, 0), 1e-5);
   EXPECT_NEAR(picker.Probability(Vec3{1, 0, 0}, 1), expected(0.2f, 1), 1e-5);
-  EXPECT_NEAR(picker.Probability(Vec3{1, 0, 0}, 2), expected(0.4f / 50, 2), 1e-5);
+  EXPECT_NEAR(picker.Probability(Vec3{1, 0, 0}, 2), expected(0.4f / 200, 2), 1e-5);
 }
 
 }  // namespace

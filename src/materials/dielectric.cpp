@@ -110,7 +110,8 @@ void DielectricMaterial::AddEnergyByRatio(Tables* tables, EnergyStore* energies)
   }
   for (float i = 0; i <= steps; ++i) {
     const float value = tables->least + tables->step * i;
-    const float ratio = tables->is_around_1 ? RatioOfRoot(value) : value;
+    // Those below what there is are only the ends of steps, and may be no ratios at all.
+    const float ratio = tables->is_around_1 ? std::max(RatioOfRoot(value), range.least) : value;
     tables->steps.push_back(
         {energies->OfDielectric(ratio, roughness_), energies->OfDielectric(1 / ratio, roughness_)});
   }

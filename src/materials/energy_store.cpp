@@ -29,6 +29,8 @@ std::shared_ptr<const EnergyTable> EnergyStore::OfDielectric(float eta,
 std::shared_ptr<const EnergyTable> EnergyStore::OfFilmedDielectric(float eta,
                                                                    const FilmParams& film,
                                                                    const Roughness& roughness) {
+  // Bases that hardly differ from what is outside have `FilmedRatio` and key in common: what is in
+  // their tables differs as little.
   std::shared_ptr<const EnergyTable>& table =
       tables_[{eta, KeyOf(roughness), film.ior, film.outside, film.thickness, film.wavelength}];
   if (!table) {

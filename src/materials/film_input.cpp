@@ -71,11 +71,11 @@ std::optional<FilmInput> FilmInput::Create(ParamReader* params, const MaterialCo
 
 std::shared_ptr<const FilmTable> FilmInput::Table(float outside, Rgb eta, Rgb k,
                                                   EnergyStore* energies) const {
-  const float to_outside = 1 / outside;
   EnergyStore own;
+  // By division, which makes a base as the outside exactly 1.
   return (energies ? energies : &own)
-      ->OfFilm({double{ior_} / double{outside}, double{outside}, eta * to_outside, k * to_outside,
-                least_, most_});
+      ->OfFilm({double{ior_} / double{outside}, double{outside}, eta / outside, k / outside, least_,
+                most_});
 }
 
 float FilmInput::ThicknessAt(const SurfacePoint& point) const {

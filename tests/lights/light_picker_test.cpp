@@ -118,17 +118,20 @@ TEST(LightPicker, HasNothingToChooseFromInTheDark) {
   EXPECT_FALSE(LightPicker(lights, 1, LightChoice::kByEffect).HasLights());
 }
 
-// What is bright at hand is as bright as the lamp of
-// an attenuation, however little of its falloff is quadratic: shares do not go by that part.
+// What is bright at hand is as bright as the lamp of an attenuation, however little of its falloff
+// is quadratic: effects do not go by that part, nor do the shares that many lights have.
 TEST(LightPicker, SmallQuadraticPartsOfAFalloffDoNotStarveOthers) {
-  for (const Falloff falloff : {Falloff(1, 0.1f, 0.001f), Falloff(1, 0, 1e-5f)}) {
-    std::vector<PointLight> lamps(40, PointLight({0, 1, 0}, {1, 1, 1}, falloff));
-    lamps.emplace_back(Vec3{1, 1, 0}, Rgb{1, 1, 1}, 1.0f);
-    std::vector<const Light*> lights;
-    for (const PointLight& lamp : lamps) lights.push_back(&lamp);
-    const LightPicker picker(lights, 10, LightChoice::kByEffect);
-    // As far from all of them.
-    EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, 40), 1 / 41.0f, 0.1f / 41);
+  for (const uint32_t count : {40u, 200u}) {
+    for (const Falloff falloff : {Falloff(1, 0.1f, 0.001f), Falloff(1, 0, 1e-5f)}) {
+      std::vector<PointLight> lamps(count, PointLight({0, 1, 0}, {1, 1, 1}, falloff));
+      lamps.emplace_back(Vec3{1, 1, 0}, Rgb{1, 1, 1}, 1.0f);
+      std::vector<const Light*> lights;
+      for (const PointLight& lamp : lamps) lights.push_back(&lamp);
+      const LightPicker picker(lights, 10, LightChoice::kByEffect);
+      // As far from all of them.
+      const float expected = 1 / static_cast<float>(count + 1);
+      EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, count), expected, 0.1f * expected);
+    }
   }
 }
 

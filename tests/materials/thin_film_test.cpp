@@ -215,6 +215,9 @@ TEST(FilmTable, ReflectsAllAtTheHorizon) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflected[c], 1, 0.02f) << cosine;
     EXPECT_EQ(bubble.At(cosine, 0), Rgb()) << cosine;
   }
+  // 1.45f times its inverse is not 1.
+  const auto in_oil = FilmInput(1.6f, 300).Table(1.45f, {1.45f, 1.45f, 1.45f}, {0, 0, 0}, nullptr);
+  EXPECT_NEAR(in_oil->Over({0, 0, 0}, 0, 0).x, 1, 0.02f);
   const FilmTable glass(1.333, 1, {1.5f, 1.5f, 1.5f}, {0, 0, 0}, 300, 300);
   EXPECT_EQ(glass.Over({1, 1, 1}, 0, 0), (Rgb{1, 1, 1}));
 }

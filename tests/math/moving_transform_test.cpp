@@ -19,15 +19,25 @@ void ExpectInverse(const std::vector<Mat4>& steps) {
     const auto back = inverse.At(time);
     const auto pair = both.At(time);
     ASSERT_TRUE(back && pair);
-    const Transform out(MatrixAt(steps, time));
+    const Transform out(MatrixAt(steps, time)), inverted(*InverseAffine(MatrixAt(steps, time)));
     for (const Vec3 p : {Vec3{0, 0, 0}, Vec3{1, -2, 0.5f}, Vec3{-3, 0.25f, 4}}) {
       const Vec3 there = out.Point(p);
       EXPECT_EQ(pair->world_from_object.Point(p), there);
       EXPECT_EQ(pair->object_from_world.Point(there), back->Point(there));
       EXPECT_LT(Length(back->Point(there) - p), 3e-6f);
       EXPECT_LT(Length(back->Vector(out.Vector(p)) - p), 3e-6f);
+      EXPECT_LT(Length(back->Point(there) - inverted.Point(there)), 1e-6f);
     }
   }
+}
+
+// The quick way, which has an offset for each step, is taken where it can be.
+TEST(MovingInverse, KeepsOffsetsOfWhatIsOnlyMoved) {
+  const Mat4 moved = Mat4::Translate({1, 2, 3}), turned = Mat4::Rotate(1, 40);
+  const uint64_t with_offsets = MovingInverse({turned, moved * turned}).MemoryBytes();
+  const uint64_t without = MovingInverse({Mat4::Identity(), turned}).MemoryBytes();
+  EXPECT_EQ(without, 2 * sizeof(Mat4));
+  EXPECT_GE(with_offsets, without + 2 * sizeof(Vec3d));
 }
 
 TEST(MovingInverse, LeadsBackFromWhatIsOnlyMoved) {

@@ -15,6 +15,8 @@ namespace {
 /// of all: the error is below that of the tables. Else there are tables at such steps of the index,
 /// but no more than so many.
 constexpr float kLeastSpread = 0.01f, kRatioStep = 0.05f, kMostRatioSteps = 8;
+/// No two media have a smaller one.
+constexpr float kLeastRatio = 0.1f;
 
 /// Under a film there are so many for each fringe between the ends of visible light. Where that
 /// makes more than so many the film is thick, and facets of all slopes blur the fringes.
@@ -110,8 +112,8 @@ void DielectricMaterial::AddEnergyByRatio(Tables* tables, EnergyStore* energies)
   }
   for (float i = 0; i <= steps; ++i) {
     const float value = tables->least + tables->step * i;
-    // Those below what there is are only the ends of steps, and may be no ratios at all.
-    const float ratio = tables->is_around_1 ? std::max(RatioOfRoot(value), range.least) : value;
+    // Far below what there is the root would lead to none.
+    const float ratio = tables->is_around_1 ? std::max(RatioOfRoot(value), kLeastRatio) : value;
     tables->steps.push_back(
         {energies->OfDielectric(ratio, roughness_), energies->OfDielectric(1 / ratio, roughness_)});
   }

@@ -128,9 +128,9 @@ TEST(LightPicker, SmallQuadraticPartsOfAFalloffDoNotStarveOthers) {
       std::vector<const Light*> lights;
       for (const PointLight& lamp : lamps) lights.push_back(&lamp);
       const LightPicker picker(lights, 10, LightChoice::kByEffect);
-      // As far from all of them.
+      // As far from all of them; of many, a tenth goes by power, of which it may have twice theirs.
       const float expected = 1 / static_cast<float>(count + 1);
-      EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, count), expected, 0.1f * expected);
+      EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, count), expected, 0.11f * expected);
     }
   }
 }

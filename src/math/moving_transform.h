@@ -55,6 +55,7 @@ class MovingTransform {
 
   bool IsAtRest() const { return steps().size() == 1; }
   const std::vector<Mat4>& steps() const { return inverse_.steps(); }
+  uint64_t MemoryBytes() const { return sizeof *this + inverse_.MemoryBytes(); }
 
   /// Both ways at a time; nothing where there is no way back.
   std::optional<Pair> At(float time) const;

@@ -155,7 +155,7 @@ uint64_t Scene::MemoryBytes() const {
   std::set<const Shape*> counted;
   for (const SceneObject& object : objects_) {
     bytes += sizeof object + sizeof(SourceLocation);
-    if (object.space) bytes += sizeof *object.space + object.space->steps().size() * sizeof(Mat4);
+    if (object.space) bytes += object.space->MemoryBytes();
     if (counted.insert(object.shape.get()).second) bytes += object.shape->MemoryBytes();
   }
   for (const auto& texture : textures_) bytes += texture->MemoryBytes();

@@ -24,8 +24,9 @@ DeformingMesh::DeformingMesh(std::shared_ptr<const MeshSpec> begin,
 
 const char* DeformingMesh::FindDifference(const MeshSpec& begin, const MeshSpec& end) {
   if (begin.positions.size() != end.positions.size()) return "the numbers of vertices differ";
-  if (begin.triangles != end.triangles)
+  if (begin.triangles != end.triangles) {
     return "cut into triangles, without those that have no area, they differ";
+  }
   if (begin.normal_corners != end.normal_corners || begin.normals.size() != end.normals.size()) {
     return "their corners have different normals";
   }

@@ -128,9 +128,12 @@ TEST(LightPicker, SmallQuadraticPartsOfAFalloffDoNotStarveOthers) {
       std::vector<const Light*> lights;
       for (const PointLight& lamp : lamps) lights.push_back(&lamp);
       const LightPicker picker(lights, 10, LightChoice::kByEffect);
-      // As far from all of them; of many, a tenth goes by power, of which it may have twice theirs.
-      const float expected = 1 / static_cast<float>(count + 1);
-      EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, count), expected, 0.11f * expected);
+      // As far from all of them; of many, a tenth of the choice goes by shares.
+      const float even = 1 / static_cast<float>(count + 1);
+      const float share = LightPicker(lights, 10, LightChoice::kByPower).Probability({}, count);
+      EXPECT_NEAR(share, 1.5f * even, 0.6f * even);
+      const float expected = count > LightPicker::kFew ? 0.9f * even + 0.1f * share : even;
+      EXPECT_NEAR(picker.Probability(Vec3{0.5f, 0, 0}, count), expected, 0.1f / (count + 1));
     }
   }
 }

@@ -24,19 +24,30 @@ namespace {
 using testing_support::CompileText;
 using testing_support::kCamera;
 
-std::vector<IntegratorEntry> Rows(bool are_physical) {
+/// The rows of which something holds, or does not.
+std::vector<IntegratorEntry> RowsWhere(bool IntegratorEntry::*fact, bool holds = true) {
   std::vector<IntegratorEntry> rows;
   for (const IntegratorEntry& entry : IntegratorEntries()) {
-    if (entry.is_physical == are_physical) rows.push_back(entry);
+    if (entry.*fact == holds) rows.push_back(entry);
   }
   return rows;
 }
 
+std::vector<std::string_view> NamesOf(const std::vector<IntegratorEntry>& rows) {
+  std::vector<std::string_view> names;
+  for (const IntegratorEntry& entry : rows) names.push_back(entry.name);
+  return names;
+}
+
 // The furnace is not for these rows.
 TEST(IntegratorContract, TheseRowsAreNotPhysical) {
-  std::vector<std::string_view> names;
-  for (const IntegratorEntry& entry : Rows(false)) names.push_back(entry.name);
-  EXPECT_THAT(names, testing::ElementsAre("whitted", "direct", "ambient_occlusion", "debug"));
+  EXPECT_THAT(NamesOf(RowsWhere(&IntegratorEntry::is_physical, false)),
+              testing::ElementsAre("whitted", "direct", "ambient_occlusion", "debug"));
+}
+
+TEST(IntegratorContract, TheseRowsTellGroupsOfLightsApart) {
+  EXPECT_THAT(NamesOf(RowsWhere(&IntegratorEntry::has_light_groups)),
+              testing::ElementsAre("path", "direct"));
 }
 
 std::string RowName(const testing::TestParamInfo<IntegratorEntry>& row) {
@@ -113,11 +124,13 @@ TEST_P(EveryIntegrator, EveryCameraShowsTheBackgroundWhereItShowsSomething) {
   }
 }
 
-// One that cannot tell groups apart says so; then nobody asks it.
-TEST_P(EveryIntegrator, GroupsOfLightsAreTogetherAllLight) {
-  if (!GetParam().has_light_groups) {
-    GTEST_SKIP() << GetParam().name << " does not tell groups apart, and refuses them";
-  }
+class EveryIntegratorWithLightGroups : public testing::TestWithParam<IntegratorEntry> {};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryIntegratorWithLightGroups,
+                         testing::ValuesIn(RowsWhere(&IntegratorEntry::has_light_groups)), RowName);
+
+// The others say that they do not tell groups apart; then nobody asks them.
+TEST_P(EveryIntegratorWithLightGroups, GroupsOfLightsAreTogetherAllLight) {
   const auto scene = CompileText(
       std::string(kCamera) +
       "Background { color 0.2 0.3 0.5 group sky }\n"
@@ -228,7 +241,8 @@ TEST_P(EveryIntegrator, GivesTheSameBitsForAnyNumberOfThreads) {
 
 class EveryPhysicalIntegrator : public testing::TestWithParam<IntegratorEntry> {};
 
-INSTANTIATE_TEST_SUITE_P(Registry, EveryPhysicalIntegrator, testing::ValuesIn(Rows(true)), RowName);
+INSTANTIATE_TEST_SUITE_P(Registry, EveryPhysicalIntegrator,
+                         testing::ValuesIn(RowsWhere(&IntegratorEntry::is_physical)), RowName);
 
 // P4: where everything reflects all light and the sky is 1, nothing can be seen: every pixel is 1.
 TEST_P(EveryPhysicalIntegrator, NothingIsVisibleInAFurnace) {

@@ -36,6 +36,14 @@ endfunction()
 # marks what the thread sanitizer should see; its build has only those. MAY_SKIP: ctest lists the program
 # as not run when its tests skip themselves, which they do all together or not at all.
 find_package(GTest REQUIRED)
+if(CANDELA_PRECOMPILE)
+  file(WRITE ${PROJECT_BINARY_DIR}/test_headers.cpp "")
+  add_library(candela_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
+  target_link_libraries(candela_test_headers PRIVATE candela_flags GTest::gmock)
+  target_precompile_headers(candela_test_headers PRIVATE
+    <algorithm> <cmath> <filesystem> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h> <memory> <span>
+    <string> <vector>)
+endif()
 function(candela_test name)
   cmake_parse_arguments(ARG "MAY_SKIP;SLOW" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(stage STREQUAL tsan AND NOT threads IN_LIST ARG_LABELS)
@@ -44,6 +52,9 @@ function(candela_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE candela_flags ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  if(CANDELA_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM candela_test_headers)
+  endif()
   if(NOT stage STREQUAL dev)
     target_compile_definitions(${name} PRIVATE CANDELA_SANITIZED)  # For sizes: all is slower there.
   endif()

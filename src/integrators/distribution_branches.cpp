@@ -20,11 +20,6 @@ constexpr uint32_t kForks = 4;
 /// Of the dimensions of a ray those of the choice between the two.
 constexpr uint32_t kChoice = 2;
 
-/// Of the magnitudes: the course knows colours that take away.
-float Largest(Rgb c) {
-  return std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
-}
-
 }  // namespace
 
 DistributionIntegrator::TreeRay DistributionIntegrator::ChildOf(const TreeRay& path,
@@ -58,7 +53,8 @@ void DistributionIntegrator::GoOn(Batch* batch) const {
     Rgb refraction = shading.refraction;
     const bool is_forked = reflection != Rgb() && refraction != Rgb();
     if (is_forked && (path.bounces >= kForks || path.is_one_of_many)) {
-      const float share = Largest(reflection) / (Largest(reflection) + Largest(refraction));
+      // By magnitudes: the course knows colours that take away.
+      const float share = MaxAbs(reflection) / (MaxAbs(reflection) + MaxAbs(refraction));
       if (path.sampler.Get1D(DimensionOf(path.name) + kChoice) < share) {
         reflection = reflection / share;
         refraction = Rgb();

@@ -32,7 +32,8 @@ struct PathIntegrator::Batch final : Workspace {
     Spectrum value;
   };
 
-  PathQueue<PathState> paths;
+  PathQueue<uint32_t> paths;      ///< By the number of their sample,
+  std::vector<PathState> states;  ///< by which these are found: they stay where they are.
   std::vector<Vec2> image_points;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
@@ -74,8 +75,9 @@ void PathIntegrator::Trace(std::span<const SampleRequest> samples, Workspace* wo
 
 void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch,
                             const SampleOutput& output) const {
-  PathQueue<PathState>& paths = batch->paths;
+  PathQueue<uint32_t>& paths = batch->paths;
   paths.Resize(samples.size());
+  const auto states = FirstOf(&batch->states, samples.size());
   const Camera& camera = scene_.camera();
   const bool is_pinhole = camera.IsPinhole();
   const CameraFootprint footprint = camera.FootprintPerUnit();
@@ -90,7 +92,8 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
   size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
-    PathState& path = paths.states()[i];
+    paths.states()[i] = i;
+    PathState& path = states[i];
     path = first;
     path.sample = i;
     path.cone = {request.spacing * footprint.width, request.spacing * footprint.spread};
@@ -124,12 +127,12 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
 void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& output) const {
   batch->contributions.clear();
   batch->shadow_rays.clear();
-  PathQueue<PathState>& paths = batch->paths;
+  PathQueue<uint32_t>& paths = batch->paths;
   size_t left = 0;
   for (size_t i = 0; i < paths.size(); ++i) {
     const Ray& ray = paths.rays()[i];
     const HitRecord& hit = paths.hits()[i];
-    PathState& path = paths.states()[i];
+    PathState& path = batch->states[paths.states()[i]];
     if (!hit.IsHit()) {
       const Spectrum left_of_it = EndlessTransmittance(path.media.Absorption(scene_.interiors()));
       const auto add_to_group = [&](uint32_t group, const Spectrum& part) {
@@ -156,7 +159,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
         !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {
       path.media = vertex.media_beyond;
       path.pdf = 0;  // Rays to sampled lights do not pass: a body has no holes.
-      paths.states()[left] = path;
+      paths.states()[left] = path.sample;
       paths.rays()[left] = PassOn(vertex);
       ++left;
       continue;
@@ -183,10 +186,8 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart() && !is_left_out) {
       SampleLight(path, step, vertex, batch);
     }
-    Ray next;
-    if (!Scatter(step, vertex, &path, &next)) continue;
-    paths.states()[left] = path;
-    paths.rays()[left] = next;
+    if (!Scatter(step, vertex, &path, &paths.rays()[left])) continue;
+    paths.states()[left] = path.sample;
     ++left;
   }
   paths.Resize(left);

@@ -10,10 +10,11 @@ Vec3 Column(const Mat4& a, int j) {
 }  // namespace
 
 Transform::Transform(const Mat4& matrix)
-    : x_(Column(matrix, 0)),
-      y_(Column(matrix, 1)),
-      z_(Column(matrix, 2)),
-      offset_(Column(matrix, 3)),
-      is_translation_(x_ == Vec3{1, 0, 0} && y_ == Vec3{0, 1, 0} && z_ == Vec3{0, 0, 1}) {}
+    : x_(ToFloat4(Column(matrix, 0))),
+      y_(ToFloat4(Column(matrix, 1))),
+      z_(ToFloat4(Column(matrix, 2))),
+      offset_(ToFloat4(Column(matrix, 3))),
+      is_translation_(Column(matrix, 0) == Vec3{1, 0, 0} && Column(matrix, 1) == Vec3{0, 1, 0} &&
+                      Column(matrix, 2) == Vec3{0, 0, 1}) {}
 
 }  // namespace candela

@@ -82,6 +82,13 @@ Vec3T<T> Abs(Vec3T<T> a) {
   return {std::abs(a.x), std::abs(a.y), std::abs(a.z)};
 }
 
+/// The largest of the magnitudes of the components.
+template <class T>
+T MaxAbs(Vec3T<T> a) {
+  const Vec3T<T> m = Abs(a);
+  return std::max(std::max(m.x, m.y), m.z);
+}
+
 /// The axis (0, 1 or 2) of the component of largest magnitude; the first one of equal ones.
 template <class T>
 int LargestAxis(Vec3T<T> a) {

@@ -4,6 +4,9 @@
 #include <bit>
 
 namespace candela {
+
+using namespace sobol;
+
 namespace {
 
 constexpr SamplerEntry kSamplers[] = {
@@ -16,89 +19,6 @@ constexpr SamplerEntry kSamplers[] = {
 
 constexpr uint32_t kStrata = 16;
 constexpr int kMostBlueBits = 16;
-
-/// A bijection that spreads every bit over all 64: the finaliser of SplitMix64 (Steele, Lea and
-/// Flood, "Fast splittable pseudorandom number generators", 2014).
-uint64_t Mix(uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-/// Joins a hash and one more value; the odd constant keeps a value of 0 from leaving the hash
-/// alone.
-uint64_t Mix(uint64_t hash, uint64_t value) {
-  return Mix(hash ^ (value + 0x9e3779b97f4a7c15u));
-}
-
-/// The bits of each byte, from the other end.
-template <class Word>
-Word ReverseBitsOfBytes(Word x) {
-  constexpr Word kOnes = ~Word{0};
-  x = ((x >> 4) & (kOnes / 17)) | ((x & (kOnes / 17)) << 4);
-  x = ((x >> 2) & (kOnes / 5)) | ((x & (kOnes / 5)) << 2);
-  return ((x >> 1) & (kOnes / 3)) | ((x & (kOnes / 3)) << 1);
-}
-
-uint32_t ReverseBits(uint32_t x) {
-  return ReverseBitsOfBytes(__builtin_bswap32(x));
-}
-
-/// A random permutation in which each bit depends only on the bits below it: Owen's scrambling of
-/// the fraction whose digits are `x` from the lowest bit up. The construction is that of S. Laine
-/// and T. Karras, "Stratified sampling for stochastic transparency" (2011), with N. Vegdahl's
-/// constants.
-uint32_t ScrambleUpwards(uint32_t x, uint32_t seed) {
-  x ^= x * 0x3d20adeau;
-  x += seed;
-  x *= (seed >> 16) | 1;
-  x ^= x * 0x05526c56u;
-  x ^= x * 0x53a22864u;
-  return x;
-}
-
-/// Applies Pascal's triangle modulo 2 to the bits of the index: bit i of the result is the sum over
-/// all j of (j over i) times bit j. It is the second generator matrix of Sobol's sequence; being
-/// the fifth tensor power of [1 1; 0 1], it takes five steps.
-uint32_t PascalMatrix(uint32_t index) {
-  index ^= (index & 0xaaaaaaaau) >> 1;
-  index ^= (index & 0xccccccccu) >> 2;
-  index ^= (index & 0xf0f0f0f0u) >> 4;
-  index ^= (index & 0xff00ff00u) >> 8;
-  index ^= (index & 0xffff0000u) >> 16;
-  return index;
-}
-
-uint32_t LowHalf(uint64_t x) {
-  return static_cast<uint32_t>(x);
-}
-uint32_t HighHalf(uint64_t x) {
-  return static_cast<uint32_t>(x >> 32);
-}
-
-float ToUnitInterval(uint32_t bits) {
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
-
-/// The point of a scrambled sequence whose digits are `digits` from the lowest bit up.
-float ScrambledPoint(uint32_t digits, uint32_t seed) {
-  return ToUnitInterval(ReverseBits(ScrambleUpwards(digits, seed)));
-}
-
-/// Two of them.
-Vec2 ScrambledPoints(uint32_t digits_x, uint32_t seed_x, uint32_t digits_y, uint32_t seed_y) {
-  const uint64_t both =
-      (uint64_t{ScrambleUpwards(digits_x, seed_x)} << 32) | ScrambleUpwards(digits_y, seed_y);
-  // All bytes swapped, x is the low half.
-  const uint64_t reversed = ReverseBitsOfBytes(__builtin_bswap64(both));
-  return {ToUnitInterval(LowHalf(reversed)), ToUnitInterval(HighHalf(reversed))};
-}
-
-/// Permutes the samples of a sequence such that aligned blocks of 2^k stay together. The index is
-/// given with its bits reversed.
-uint32_t Shuffle(uint32_t reversed_index, uint32_t seed) {
-  return ReverseBits(ScrambleUpwards(reversed_index, seed));
-}
 
 /// The place of i among a random permutation of 0 to count - 1, where count is a power of two up to
 /// 16: Kensler's hash.
@@ -192,25 +112,15 @@ Vec2 Sampler::Stratified2D(uint64_t hash) const {
           ToUnitInterval((row << 30) | (fine_row << 28) | (HighHalf(within) >> 4))};
 }
 
-float Sampler::Get1D(uint32_t dimension) const {
-  const uint64_t hash = Mix(pixel_hash_, dimension);
-  if (kind_ == SamplerKind::kIndependent) {
-    return ToUnitInterval(LowHalf(Mix(hash, sample_index_)));
-  }
+float Sampler::Other1D(uint64_t hash) const {
   if (kind_ == SamplerKind::kStratified) return Stratified1D(hash);
-  // The first Sobol sequence has the digits of the index itself.
-  return ScrambledPoint(Shuffle(sample_index_, LowHalf(hash)), HighHalf(hash));
+  return ToUnitInterval(LowHalf(Mix(hash, sample_index_)));
 }
 
-Vec2 Sampler::Get2D(uint32_t dimension) const {
-  const uint64_t hash = Mix(pixel_hash_, dimension);
-  if (kind_ == SamplerKind::kIndependent) {
-    const uint64_t bits = Mix(hash, sample_index_);
-    return {ToUnitInterval(LowHalf(bits)), ToUnitInterval(HighHalf(bits))};
-  }
+Vec2 Sampler::Other2D(uint64_t hash) const {
   if (kind_ == SamplerKind::kStratified) return Stratified2D(hash);
-  const uint32_t index = Shuffle(sample_index_, LowHalf(hash));
-  return ScrambledPoints(index, HighHalf(hash), PascalMatrix(index), LowHalf(Mix(hash)));
+  const uint64_t bits = Mix(hash, sample_index_);
+  return {ToUnitInterval(LowHalf(bits)), ToUnitInterval(HighHalf(bits))};
 }
 
 }  // namespace candela

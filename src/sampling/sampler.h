@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "math/vec.h"
+#include "sampling/scrambled_sobol.h"
 
 namespace candela {
 
@@ -79,12 +80,20 @@ class Sampler {
   Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sample_index,
           SamplerType type = {});
 
-  float Get1D(uint32_t dimension) const;
+  float Get1D(uint32_t dimension) const {
+    const uint64_t hash = sobol::Mix(pixel_hash_, dimension);
+    return kind_ == SamplerKind::kSobol ? sobol::Point(sample_index_, hash) : Other1D(hash);
+  }
 
   /// A pair that is evenly spread as a pair. It takes the place of `dimension` and `dimension + 1`.
-  Vec2 Get2D(uint32_t dimension) const;
+  Vec2 Get2D(uint32_t dimension) const {
+    const uint64_t hash = sobol::Mix(pixel_hash_, dimension);
+    return kind_ == SamplerKind::kSobol ? sobol::PairOfPoints(sample_index_, hash) : Other2D(hash);
+  }
 
  private:
+  float Other1D(uint64_t hash) const;
+  Vec2 Other2D(uint64_t hash) const;
   float Stratified1D(uint64_t hash) const;
   Vec2 Stratified2D(uint64_t hash) const;
 

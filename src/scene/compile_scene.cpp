@@ -214,6 +214,10 @@ class SceneCompiler {
       object.space = std::make_unique<const MovingTransform>(
           place.IsMoving() ? place.motion : std::vector<Mat4>{world_from_node});
     }
+    const Vec3 flat_normal = object.shape->FlatNormal();
+    if (!object.is_moving && flat_normal != Vec3()) {
+      object.flat_normal = object.NormalToWorld(flat_normal);
+    }
     object.has_holes = made_of && made_of->HasHoles();
     scene_->has_holes_ |= object.has_holes;
     object.interior = InteriorOf(node, made_of);

@@ -15,29 +15,40 @@ void AddTextureSpace(const SceneObject& object, const HitRecord& hit, SurfacePoi
   point->object_space = object.space.get();
 }
 
+/// Takes both normals of an object into the world.
+void NormalsToWorld(const SceneObject& object, const Transform& object_from_world,
+                    SurfacePoint* point) {
+  if (object.flat_normal != Vec3()) {
+    point->n_geometric = point->n_shading = object.flat_normal;
+    return;
+  }
+  const bool is_flat = point->n_shading == point->n_geometric;
+  point->n_geometric = SceneObject::NormalToWorld(point->n_geometric, object_from_world);
+  point->n_shading = is_flat ? point->n_geometric
+                             : SceneObject::NormalToWorld(point->n_shading, object_from_world);
+}
+
 /// Takes the point of an object as whitted sees it into the world, but for `p` itself.
 void ToWorldForShading(const SceneObject& object, const Transform& object_from_world,
                        SurfacePoint* point) {
-  if (object.is_textured) {
-    point->dpdu = point->dpdv = Vec3();
-    point->n_geometric = SceneObject::NormalToWorld(point->n_geometric, object_from_world);
+  if (object.is_textured) point->dpdu = point->dpdv = Vec3();
+  if (object.is_textured || object.flat_normal != Vec3()) {
+    NormalsToWorld(object, object_from_world, point);
+  } else {
+    point->n_shading = SceneObject::NormalToWorld(point->n_shading, object_from_world);
   }
-  point->n_shading = SceneObject::NormalToWorld(point->n_shading, object_from_world);
 }
 
 /// Takes the point of an object into the world. In place: a copy of the whole would have to wait
 /// for what has just been stored.
 void ToWorld(const SceneObject& object, const Transform& world_from_object,
              const Transform& object_from_world, SurfacePoint* point) {
-  const bool is_flat = point->n_shading == point->n_geometric;
   const Vec3 p = world_from_object.Point(point->p);
   // A ray that leaves from here is taken back to object space, with a rounding error of its own.
   const Vec3 way_back = object_from_world.PointError(p, {});
   point->p_error = world_from_object.PointError(point->p, point->p_error + way_back);
   point->p = p;
-  point->n_geometric = SceneObject::NormalToWorld(point->n_geometric, object_from_world);
-  point->n_shading = is_flat ? point->n_geometric
-                             : SceneObject::NormalToWorld(point->n_shading, object_from_world);
+  NormalsToWorld(object, object_from_world, point);
   if (object.is_textured) {
     point->dpdu = world_from_object.Vector(point->dpdu);
     point->dpdv = world_from_object.Vector(point->dpdv);

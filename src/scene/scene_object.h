@@ -30,6 +30,8 @@ struct SceneObject {
   bool is_baked = false;            ///< It consists of triangles that lie in the world.
   /// It depends on the time: its place, which then `space` says, or its shape.
   bool is_moving = false;
+  /// In the world; 0 where it is not the same everywhere and at all times.
+  Vec3 flat_normal{};
   /// Where it is when it moves. Also of what is baked: where its texture fills space, for materials
   /// that ask for coordinates.
   std::unique_ptr<const MovingTransform> space{};

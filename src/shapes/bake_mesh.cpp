@@ -32,7 +32,7 @@ class NormalMap {
   /// Tells of a normal before any is asked for.
   void Consider(Vec3 n) {
     const Vec3d v = InDouble(n);
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const double largest = MaxAbs(v);
     if (largest == 0) return;
     longest_ = std::max(longest_, largest);
     shortest_ = std::min(shortest_, largest);

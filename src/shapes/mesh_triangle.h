@@ -21,8 +21,15 @@ struct MeshTriangle {
     return is_mirrored ? -normal : normal;
   }
 
+  /// No corner has a normal.
+  bool IsFlat() const { return n[0] == Vec3() && n[1] == Vec3() && n[2] == Vec3(); }
+
   SurfacePoint SurfaceAt(const HitRecord& hit) const {
     const Vec3 face_normal = FaceNormal();
+    if (IsFlat()) {
+      return {TrianglePoint(p[0], p[1], p[2], hit.u, hit.v),
+              TrianglePointError(p[0], p[1], p[2], hit.u, hit.v), face_normal, face_normal};
+    }
     const auto normal = [&](size_t k) { return n[k] == Vec3() ? face_normal : n[k]; };
     const Vec3 blended = normal(0) * (1 - hit.u - hit.v) + normal(1) * hit.u + normal(2) * hit.v;
     return {TrianglePoint(p[0], p[1], p[2], hit.u, hit.v),

@@ -40,10 +40,8 @@ SurfacePoint Plane::SurfaceAt(const Ray& ray, const HitRecord& hit) const {
   // Moved onto the plane; what remains is the rounding of its coordinates and of the offset.
   const Vec3 p = ray.At(hit.t);
   const Vec3 on_plane = p + normal_ * ((offset_ - Dot(normal_, p)) / Dot(normal_, normal_));
-  const float largest =
-      std::max({std::abs(on_plane.x), std::abs(on_plane.y), std::abs(on_plane.z)});
   // Not 0 in the origin itself, where halving the smallest float would lead back to the plane.
-  const float error = std::max(largest * 6e-7f, 1e-30f);
+  const float error = std::max(MaxAbs(on_plane) * 6e-7f, 1e-30f);
   return {on_plane, {error, error, error}, normal_, normal_};
 }
 

@@ -19,6 +19,7 @@ class Plane final : public Shape {
   Bounds3 ObjectBounds() const override { return Bounds3::Infinite(); }
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  Vec3 FlatNormal() const override { return normal_; }
   void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const override;
   uint64_t MemoryBytes() const override { return sizeof *this; }
 

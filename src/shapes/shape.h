@@ -41,6 +41,9 @@ class Shape {
   /// found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
 
+  /// The normal of a flat shape, which `SurfaceAt` gives for all hits, as both; 0 for others.
+  virtual Vec3 FlatNormal() const { return {}; }
+
   /// Adds texture coordinates, and how the point moves with them, to what `SurfaceAt` gave. Kept
   /// apart because few materials ask for them. Unless the shape knows better, they are where on the
   /// primitive the hit lies, and say nothing about directions. A shape that is moving looks at

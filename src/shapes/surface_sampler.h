@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "geometry/surface_point.h"
@@ -53,22 +54,56 @@ class SurfaceSampler {
   virtual uint64_t MemoryBytes() const = 0;
 };
 
+/// A cosine from which on a point is seen edge-on.
+inline constexpr float kEdgeOn = 1e-6f;
+
 /// The sample of a point that was drawn by area, from all of `area`.
-SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area);
+inline SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area) {
+  const Vec3 way = p - from;
+  const float squared = LengthSquared(way);
+  const float distance = std::sqrt(squared);
+  if (!(distance > 0)) return {};
+  SurfaceSample sample;
+  sample.direction = way * (1 / distance);
+  sample.n = n;
+  // Rounding moves points by so much; a slanted surface is met that much earlier.
+  const float cosine = std::abs(Dot(n, sample.direction));
+  const float rounding = (MaxAbs(from) + MaxAbs(p)) * 4e-6f / (cosine + 0.001f);
+  sample.distance = distance - rounding - distance * 1e-5f;
+  if (!(sample.distance > 0) || !(cosine > kEdgeOn)) return sample;
+  sample.pdf = squared / (static_cast<float>(area) * cosine);
+  return sample;
+}
 
 /// Its density over solid angle: distance squared / (area cosine); 0 for a point seen edge-on.
-float PdfByArea(Vec3 from, Vec3 p, Vec3 n, double area);
+inline float PdfByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area) {
+  const Vec3 way = p - from;
+  const float squared = LengthSquared(way);
+  const float distance = std::sqrt(squared);
+  const float height = std::abs(Dot(n, way));  // Distance times cosine.
+  if (!(height > kEdgeOn * distance)) return 0;
+  return squared * distance / (static_cast<float>(area) * height);
+}
 
 /// The sample of a point of a surface, which rays may leave: its error is bounded for a surface, or
 /// a triangle of it, that reaches `size` far from `p`.
-AreaSample SampleOfArea(Vec3 p, Vec3 n, float size, float pdf);
+inline AreaSample SampleOfArea(const Vec3& p, const Vec3& n, float size, float pdf) {
+  // As above: what the way from object space and back to it may round.
+  const float error = (MaxAbs(p) + size) * 4e-6f;
+  return {{p, {error, error, error}, n, n}, pdf};
+}
 
 /// Whether a flat surface of the given size around `p` is seen so small that drawing it by area, in
 /// a fraction of the time, is as good as by solid angle: distance and cosine hardly vary.
-bool IsFar(Vec3 from, Vec3 p, float size);
+inline bool IsFar(const Vec3& from, const Vec3& p, float size) {
+  return LengthSquared(from - p) > 4 * size * size;
+}
 
 /// Whether a point lies in the plane through `p`, as well as single precision can tell. `size` is
 /// that of what lies in the plane.
-bool IsInPlane(Vec3 from, Vec3 p, Vec3 n, float size);
+inline bool IsInPlane(const Vec3& from, const Vec3& p, const Vec3& n, float size) {
+  const float rounding = (MaxAbs(from) + MaxAbs(p) + size) * 1e-5f;
+  return std::abs(Dot(n, from - p)) <= rounding;
+}
 
 }  // namespace candela

@@ -22,6 +22,7 @@ class Triangle final : public Shape {
   Bounds3 ObjectBounds() const override;
   bool Intersect(const Ray& ray, HitRecord* hit) const override;
   SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const override;
+  Vec3 FlatNormal() const override { return normal_; }
   void AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const override;
   std::unique_ptr<const SurfaceSampler> MakeSampler(
       const Transform& world_from_object, const Transform& object_from_world) const override;

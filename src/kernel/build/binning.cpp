@@ -8,7 +8,7 @@ namespace candela::kernel {
 
 BinMapping::BinMapping(const Box4& centers, uint32_t fragments)
     : origin(Xyz(centers.low)),
-      scale(Splat(0)),
+      scale(Broadcast(0)),
       bins(static_cast<int>(std::min<uint32_t>(kMostBins, 8 + fragments / 16))) {
   const Float4 extent = centers.high - centers.low;
   for (int axis = 0; axis < 3; ++axis) {
@@ -47,7 +47,7 @@ void Bins::Merge(const Bins& other) {
 ObjectSplit Bins::FindSplit(float area_scale) const {
   // All axes at once. One sweep from the right keeps the cost of each right side, one from the left
   // adds its own. The area of nothing times 0 is a NaN, which is not less than anything.
-  const Float4 scale = Splat(area_scale);
+  const Float4 scale = Broadcast(area_scale);
   Float4 right_cost[kMostBins];
   Box4 box[3];
   Int4 count = {0, 0, 0, 0};
@@ -57,7 +57,7 @@ ObjectSplit Bins::FindSplit(float area_scale) const {
     right_cost[i] =
         HalfAreas(box[0], box[1], box[2], scale) * __builtin_convertvector(count, Float4);
   }
-  Float4 best_cost = Splat(Bounds3::kInfinity);
+  Float4 best_cost = Broadcast(Bounds3::kInfinity);
   Int4 best_bin = {0, 0, 0, 0};
   for (Box4& each : box) each = Box4{};
   count = Int4{0, 0, 0, 0};

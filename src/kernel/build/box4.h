@@ -1,16 +1,16 @@
 #pragma once
 
 #include "geometry/bounds3.h"
-#include "kernel/build/float4.h"
+#include "math/float4.h"
 
 namespace candela::kernel {
 
 /// A `Bounds3` in two registers. The fourth lanes mean nothing.
 struct Box4 {
-  Float4 low = Splat(Bounds3::kInfinity);
-  Float4 high = Splat(-Bounds3::kInfinity);
+  Float4 low = Broadcast(Bounds3::kInfinity);
+  Float4 high = Broadcast(-Bounds3::kInfinity);
 
-  static Box4 Of(const Bounds3& bounds) { return {Load(bounds.min), Load(bounds.max)}; }
+  static Box4 Of(const Bounds3& bounds) { return {ToFloat4(bounds.min), ToFloat4(bounds.max)}; }
   Bounds3 ToBounds() const { return {ToVec3(low), ToVec3(high)}; }
 
   void Extend(Float4 point) {
@@ -32,7 +32,7 @@ struct Box4 {
   /// Half of the surface area times the square of `scale`. With `AreaScale` of a box around this
   /// one, the result neither overflows nor vanishes before it is negligible beside that box.
   float HalfArea(float scale) const {
-    const Float4 extent = (high - low) * Splat(scale);
+    const Float4 extent = (high - low) * Broadcast(scale);
     const Float4 next = __builtin_shufflevector(extent, extent, 1, 2, 0, 3);
     const Float4 product = extent * next;
     return product[0] + product[1] + product[2];
@@ -53,7 +53,8 @@ inline Float4 HalfAreas(const Box4& a, const Box4& b, const Box4& c, Float4 scal
 
 /// A power of two that takes the largest extent of a box to about 1.
 inline float AreaScale(const Box4& box) {
-  const Float4 half = box.high * Splat(0.5f) - box.low * Splat(0.5f);  // The whole may overflow.
+  const Float4 half =
+      box.high * Broadcast(0.5f) - box.low * Broadcast(0.5f);  // The whole may overflow.
   const float largest = LargestOf3(half);
   if (largest == 0) return 1;
   const int exponent = static_cast<int>(std::bit_cast<uint32_t>(largest) >> 23 & 255);
@@ -72,8 +73,8 @@ struct LinearBox {
   }
   /// The box in the middle of the time: what the moving thing is sorted into the tree by.
   Box4 Middle() const {
-    return {at[0].low * Splat(0.5f) + at[1].low * Splat(0.5f),
-            at[0].high * Splat(0.5f) + at[1].high * Splat(0.5f)};
+    return {at[0].low * Broadcast(0.5f) + at[1].low * Broadcast(0.5f),
+            at[0].high * Broadcast(0.5f) + at[1].high * Broadcast(0.5f)};
   }
 };
 

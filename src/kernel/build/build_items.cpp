@@ -36,7 +36,7 @@ BoxState BoxAtStep(const BuildItem& item, uint32_t primitive, uint32_t step, Box
   if (item.triangles) {
     Box4 around;
     for (const uint32_t vertex : item.triangles->triangles[primitive]) {
-      const Float4 position = Load(item.Position(step, vertex));
+      const Float4 position = ToFloat4(item.Position(step, vertex));
       if (!IsFinite4(position)) return BoxState::kNothing;
       around.Extend(position);
     }
@@ -107,19 +107,20 @@ Result<void> CheckInstance(const GroupItem& item, const InstanceInput& instance,
 Box4 Padded(const Box4& box, float padding) {
   constexpr float kLargest = std::numeric_limits<float>::max();
   constexpr float kUlp = std::numeric_limits<float>::epsilon();
-  const Float4 low = box.low - Splat(padding), high = box.high + Splat(padding);
-  return {Max(low - Abs(low) * Splat(kUlp), Splat(-kLargest)),
-          Min(high + Abs(high) * Splat(kUlp), Splat(kLargest))};
+  const Float4 low = box.low - Broadcast(padding), high = box.high + Broadcast(padding);
+  return {Max(low - Abs(low) * Broadcast(kUlp), Broadcast(-kLargest)),
+          Min(high + Abs(high) * Broadcast(kUlp), Broadcast(kLargest))};
 }
 
 BoxState BoxOfTriangle(const BuildItem& item, uint32_t triangle, Box4* box) {
   const auto& vertices = item.triangles->triangles[triangle];
   const Vec3* positions = item.triangles->positions.data();
   const Vec3 p0 = positions[vertices[0]], p1 = positions[vertices[1]], p2 = positions[vertices[2]];
-  const Float4 a = Load(p0), b = Load(p1), c = Load(p2);
+  const Float4 a = ToFloat4(p0), b = ToFloat4(p1), c = ToFloat4(p2);
   const Box4 around{Min(Min(a, b), c), Max(Max(a, b), c)};
   // Quarters, whose sum is a number if all three are.
-  if (!IsFinite4(a * Splat(0.25f) + b * Splat(0.25f) + c * Splat(0.25f)) || HasNoArea(p0, p1, p2)) {
+  if (!IsFinite4(a * Broadcast(0.25f) + b * Broadcast(0.25f) + c * Broadcast(0.25f)) ||
+      HasNoArea(p0, p1, p2)) {
     return BoxState::kNothing;
   }
   *box = Padded(around, kTrianglePadding * LargestOf3(around.high - around.low));
@@ -142,13 +143,13 @@ BoxState LinearBoxOf(const BuildItem& item, uint32_t primitive, LinearBox* box) 
   }
   // Between the first and the last step a box may leave the straight way. Both ends are widened by
   // as much as it does at most; then each box is inside, and so is what lies between two of them.
-  Float4 below = Splat(0), above = Splat(0);
+  Float4 below = Broadcast(0), above = Broadcast(0);
   float magnitude = std::max(LargestMagnitude(steps_ends[0]), LargestMagnitude(steps_ends[1]));
   for (uint32_t step = 1; step < last; ++step) {
     Box4 at_step;
     BoxAtStep(item, primitive, step, &at_step);
     const float part = static_cast<float>(step) / static_cast<float>(last);
-    const Float4 t1 = Splat(part), t0 = Splat(1 - part);
+    const Float4 t1 = Broadcast(part), t0 = Broadcast(1 - part);
     below = Max(below, steps_ends[0].low * t0 + steps_ends[1].low * t1 - at_step.low);
     above = Max(above, at_step.high - (steps_ends[0].high * t0 + steps_ends[1].high * t1));
     magnitude = std::max(magnitude, LargestMagnitude(at_step));

@@ -22,7 +22,7 @@ struct alignas(32) Fragment {
   uint32_t Primitive() const { return FourthBits(high); }
   Box4 Box() const { return {low, high}; }
   /// Half the middle, so that no sum or difference of two of them overflows; 0 in the fourth lane.
-  Float4 Center() const { return Xyz(low) * Splat(0.25f) + Xyz(high) * Splat(0.25f); }
+  Float4 Center() const { return Xyz(low) * Broadcast(0.25f) + Xyz(high) * Broadcast(0.25f); }
   float Center(int axis) const {
     float bounds[8];
     std::memcpy(bounds, this, sizeof(bounds));

@@ -6,7 +6,7 @@
 namespace candela::kernel {
 
 SlabMapping::SlabMapping(const Box4& box)
-    : origin(Xyz(box.low)), slabs_per_unit(Splat(0)), width(Splat(0)) {
+    : origin(Xyz(box.low)), slabs_per_unit(Broadcast(0)), width(Broadcast(0)) {
   const Float4 extent = box.high - box.low;
   for (int axis = 0; axis < 3; ++axis) {
     // Slightly less than all slabs, so that the upper side is in the last one.
@@ -39,7 +39,7 @@ bool Pieces::LoadTriangle() {
   if (!item.may_split) return false;
   const auto& vertices = item.triangles->triangles[FourthBits(box_.high)];
   for (size_t i = 0; i < 3; ++i) {
-    corner_[i] = Load(item.Position(0, vertices[i]));
+    corner_[i] = ToFloat4(item.Position(0, vertices[i]));
     corner_slab_[i] = mapping_.SlabsOf(corner_[i], -1, kSpatialBins);
   }
   // As the whole triangle is padded, and for the rounding of the points on edges.
@@ -59,7 +59,7 @@ Box4 Pieces::Crossing(int axis, int slab) const {
     const bool crosses = (corner_slab_[i][axis] < slab) != (corner_slab_[j][axis] < slab);
     const float start = corner_[i][axis];
     const float part = (border - start) / (corner_[j][axis] - start);
-    const Float4 t = Min(Max(Splat(part), Splat(0)), Splat(1));
+    const Float4 t = Min(Max(Broadcast(part), Broadcast(0)), Broadcast(1));
     box.ExtendIf(crosses, corner_[i] + (corner_[j] - corner_[i]) * t);
   }
   return box;

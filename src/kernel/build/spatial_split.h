@@ -19,9 +19,9 @@ struct SlabMapping {
   /// The slabs of a point, on all axes, moved into a range: for a point of the box the slabs that
   /// there are, for any other one with -1 below them and kSpatialBins above.
   Int4 SlabsOf(Float4 point, int lowest, int highest) const {
-    const Float4 slabs = (Xyz(point) - origin) * slabs_per_unit + Splat(1);
+    const Float4 slabs = (Xyz(point) - origin) * slabs_per_unit + Broadcast(1);
     const auto least = static_cast<float>(lowest + 1), most = static_cast<float>(highest + 1);
-    return __builtin_convertvector(Min(Max(slabs, Splat(least)), Splat(most)), Int4) - 1;
+    return __builtin_convertvector(Min(Max(slabs, Broadcast(least)), Broadcast(most)), Int4) - 1;
   }
   /// The border between a slab and the one before it.
   float Border(int axis, int slab) const {

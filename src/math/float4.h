@@ -9,15 +9,15 @@
 
 /// Four floats at once, with the vector extensions that GCC and clang share; every machine has
 /// registers for them. Three lanes are x, y and z, the fourth is free for the caller.
-namespace candela::kernel {
+namespace candela {
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16)));
 
-inline Float4 Splat(float value) {
+inline Float4 Broadcast(float value) {
   return Float4{value, value, value, value};
 }
-inline Float4 Load(Vec3 v) {
+inline Float4 ToFloat4(Vec3 v) {
   return Float4{v.x, v.y, v.z, 0};
 }
 inline Vec3 ToVec3(Float4 v) {
@@ -30,7 +30,9 @@ inline Float4 Max(Float4 a, Float4 b) {
   return a > b ? a : b;
 }
 inline Float4 Abs(Float4 a) {
-  return a < 0 ? -a : a;
+  constexpr int32_t kAllButSign = 0x7fffffff;
+  return reinterpret_cast<Float4>(reinterpret_cast<Int4>(a) &
+                                  Int4{kAllButSign, kAllButSign, kAllButSign, kAllButSign});
 }
 /// Zero in the fourth lane, which may hold anything, also what is slow to calculate with.
 inline Float4 Xyz(Float4 a) {
@@ -49,4 +51,4 @@ inline float LargestOf3(Float4 a) {
   return xy > a[2] ? xy : a[2];
 }
 
-}  // namespace candela::kernel
+}  // namespace candela

@@ -5,10 +5,13 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "materials/energy_store.h"
 #include "sampling/sampler.h"
 #include "sampling/warp.h"
 #include "tests/materials/families.h"
@@ -26,8 +29,8 @@ using test::kLargestDeviate;
 using test::UniformNumbers;
 
 #ifdef CANDELA_SLOW
-constexpr uint32_t kSamples = 8192;
-constexpr double kStrength = 1e-3;
+constexpr uint32_t kSamples = 1024;
+constexpr double kStrength = 4e-3;
 #else
 constexpr uint32_t kSamples = 128;
 constexpr double kStrength = 0.01;
@@ -93,10 +96,12 @@ std::vector<Family> WhiteFamilies() {
          return std::make_unique<PrincipledMaterial>(std::move(inputs));
        }},
       {"GlassOfTexturedRoughness",
-       [](float r) {
+       // All of them have the same table.
+       [energies = std::make_shared<EnergyStore>()](float r) {
          auto roughness = std::make_shared<ConstantTexture>(Rgb{r, r, r});
-         return std::make_unique<DielectricMaterial>(Medium{1.5f, {}},
-                                                     Roughness::OfTexture(std::move(roughness)));
+         return std::make_unique<DielectricMaterial>(
+             Medium{1.5f, {}}, Roughness::OfTexture(std::move(roughness)),
+             std::span<const Medium>(), std::nullopt, energies.get());
        },
        false},
   };

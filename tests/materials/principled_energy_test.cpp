@@ -79,8 +79,8 @@ TEST(WhiteFurnace, PrincipledBrushedByTexturesLosesNothing) {
         inputs.roughness = Roughness::OfTexture(std::make_shared<DialTexture>(&roughness));
       }
       const PrincipledMaterial material(inputs);
-      for (const float a : {0.0f, 0.28f, 0.65f, 0.97f, 1.0f}) {
-        for (const float r : {0.22f, 0.5f, 0.68f, 0.86f, 1.0f}) {
+      for (const float a : {0.0f, 0.28f, 0.97f, 1.0f}) {
+        for (const float r : {0.22f, 0.68f, 1.0f}) {
           if (!is_rough_textured && r > 0.22f) break;
           for (const double azimuth : {0.0, 40.0, 90.0}) {
             SCOPED_TRACE(testing::Message() << "metal " << metallic << ", roughness " << r

@@ -227,6 +227,29 @@ TEST_P(EveryShape, ItsNormalAgreesWithFiniteDifferences) {
 }
 
 // A neighbour lies where the derivatives say by its texture coordinates, in the object.
+// Then the scene takes it into the world once, instead of for each hit.
+TEST_P(EveryShape, SaysThatItIsFlatWhenAllItsNormalsAreOne) {
+  const auto scene = SceneOfShape(GetParam().example);
+  const Shape& shape = *scene->objects()[0].shape;
+  const Vec3 flat_normal = shape.FlatNormal();
+  std::optional<Vec3> first;
+  bool is_flat = true;
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 origin = PointNear(shape) + SampleUniformSphere(random_.NextPair()) * 4;
+    const Ray ray(origin, PointNear(shape) - origin);
+    HitRecord hit;
+    if (!shape.Intersect(ray, &hit)) continue;
+    const SurfacePoint point = shape.SurfaceAt(ray, hit);
+    ++hits;
+    if (!first) first = point.n_geometric;
+    is_flat &= point.n_geometric == *first && point.n_shading == *first;
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_EQ(flat_normal != Vec3(), is_flat);
+  EXPECT_EQ(flat_normal, is_flat ? first.value_or(Vec3()) : Vec3());
+}
+
 TEST_P(EveryShape, PointsMoveWithTheirTextureCoordinates) {
   int compared = 0;
   const auto plain = SceneOfShape(GetParam().example);

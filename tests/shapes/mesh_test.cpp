@@ -193,6 +193,19 @@ TEST(MeshNormals, ACornerWithoutOneOrWithZeroTakesThatOfTheFace) {
   EXPECT_EQ(SurfaceSeenBy(zero, kMiddle).n_shading, (Vec3{0, 0, 1}));
 }
 
+// Blending three of them would round.
+TEST(MeshNormals, WithoutAnyTheNormalIsExactlyThatOfTheFace) {
+  const uint32_t none = MeshSpec::kNoNormal;
+  MeshSpec spec = WithNormals({}, {none, none, none});
+  spec.positions = {{0, 0, 0.3f}, {1, 0, 0.7f}, {0, 1, -0.2f}};
+  const Mesh mesh = MeshOf(std::move(spec));
+  for (int i = 1; i < 30; ++i) {
+    const auto x = static_cast<float>(i) / 30;
+    const SurfacePoint point = SurfaceSeenBy(mesh, Ray({x, 0.9f - 0.9f * x, 2}, {0, 0, -1}));
+    EXPECT_EQ(point.n_shading, point.n_geometric) << x;
+  }
+}
+
 TEST(MeshNormals, OnesThatCancelGiveThatOfTheFace) {
   const Mesh mesh = MeshOf(WithNormals({{1, 0, 0}, {-1, 0, 0}}, {0, 0, 1}));
   EXPECT_EQ(SurfaceSeenBy(mesh, kMiddle).n_shading, (Vec3{0, 0, 1}));

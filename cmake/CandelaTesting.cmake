@@ -40,6 +40,10 @@ if(CANDELA_PRECOMPILE)
   file(WRITE ${PROJECT_BINARY_DIR}/test_headers.cpp "")
   add_library(candela_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
   target_link_libraries(candela_test_headers PRIVATE candela_flags GTest::gmock)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    # Else clang refuses it after an update of the system, whose files may be older than the build.
+    target_compile_options(candela_test_headers PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
   target_precompile_headers(candela_test_headers PRIVATE
     <algorithm> <cmath> <filesystem> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h> <memory> <span>
     <string> <vector>)

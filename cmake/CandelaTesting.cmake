@@ -31,23 +31,29 @@ function(candela_add_test name)
   set_tests_properties(${test} PROPERTIES LABELS "${stage};${ARG_LABELS}" TIMEOUT ${timeout})
 endfunction()
 
+# Headers that most tests include, read once instead of once for each file. The stage dev does without, so
+# that a file that does not include what it needs is noticed.
+find_package(GTest REQUIRED)
+if(CANDELA_PRECOMPILE)
+  set(empty_source ${PROJECT_BINARY_DIR}/test_headers.cpp)
+  if(NOT EXISTS ${empty_source})
+    file(WRITE ${empty_source} "")
+  endif()
+  add_library(candela_test_headers OBJECT ${empty_source})
+  target_link_libraries(candela_test_headers PRIVATE candela_flags GTest::gmock)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    # Else clang refuses it after an update of the system that leaves the headers as long as they were, but
+    # with other times. After one that changes them, the build has to be made anew.
+    target_compile_options(candela_test_headers PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+  target_precompile_headers(candela_test_headers PRIVATE
+    <algorithm> <cmath> <filesystem> <gmock/gmock.h> <gtest/gtest.h> <memory> <span> <string> <vector>)
+endif()
+
 # candela_test(NAME SOURCES ... LINK ... [LABELS ...] [MAY_SKIP] [SLOW])
 # One GoogleTest program, one entry of ctest. LINK names the folders under test. The label `threads`
 # marks what the thread sanitizer should see; its build has only those. MAY_SKIP: ctest lists the program
 # as not run when its tests skip themselves, which they do all together or not at all.
-find_package(GTest REQUIRED)
-if(CANDELA_PRECOMPILE)
-  file(WRITE ${PROJECT_BINARY_DIR}/test_headers.cpp "")
-  add_library(candela_test_headers OBJECT ${PROJECT_BINARY_DIR}/test_headers.cpp)
-  target_link_libraries(candela_test_headers PRIVATE candela_flags GTest::gmock)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-    # Else clang refuses it after an update of the system, whose files may be older than the build.
-    target_compile_options(candela_test_headers PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
-  endif()
-  target_precompile_headers(candela_test_headers PRIVATE
-    <algorithm> <cmath> <filesystem> <fmt/format.h> <gmock/gmock.h> <gtest/gtest.h> <memory> <span>
-    <string> <vector>)
-endif()
 function(candela_test name)
   cmake_parse_arguments(ARG "MAY_SKIP;SLOW" "" "SOURCES;LINK;LABELS" ${ARGN})
   if(stage STREQUAL tsan AND NOT threads IN_LIST ARG_LABELS)

@@ -1,7 +1,6 @@
 // Where the trees of rays go on.
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/spawn_ray.h"
 #include "integrators/course_rays.h"

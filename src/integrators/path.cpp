@@ -186,6 +186,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart() && !is_left_out) {
       SampleLight(path, step, vertex, batch);
     }
+    // This may be where `ray` is, which has served.
     if (!Scatter(step, vertex, &path, &paths.rays()[left])) continue;
     paths.states()[left] = path.sample;
     ++left;

@@ -35,7 +35,8 @@ std::span<T> FirstOf(std::vector<T>* list, size_t size) {
 }
 
 /// Paths that are followed together, bounce by bounce. Entry i of each list belongs to the same
-/// path: what is known of it, the ray that it goes along, and where that ray ends.
+/// path: what is known of it, or the number by which that is found, the ray that it goes along, and
+/// where that ray ends.
 template <class State>
 class PathQueue {
  public:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "math/float4.h"
 #include "math/mat4.h"
 #include "math/vec.h"

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "sampling/hash.h"
+
 namespace candela {
-
-using namespace sobol;
-
 namespace {
 
 constexpr SamplerEntry kSamplers[] = {
@@ -76,10 +75,10 @@ const SamplerEntry* FindSampler(std::string_view name) {
 
 Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sample_index,
                  SamplerType type)
-    : pixel_hash_(Mix(Mix(seed), (uint64_t{pixel_y} << 32) | pixel_x)),
+    : pixel_hash_(MixBits(MixBits(seed), (uint64_t{pixel_y} << 32) | pixel_x)),
       sample_index_(sample_index),
       kind_(type.kind) {
-  if (kind_ == SamplerKind::kSobol) sample_index_ = ReverseBits(sample_index);
+  if (kind_ == SamplerKind::kSobol) sample_index_ = sobol::ReverseBits(sample_index);
   if (kind_ != SamplerKind::kBlueNoise) return;
   // One Sobol sequence for a square of pixels, as large as 32 bits let it be. The samples of a
   // pixel, of 2 x 2 pixels, and so on, are runs of it, and as even as such.
@@ -87,39 +86,40 @@ Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sam
   const uint32_t square_x = pixel_x >> square_bits, square_y = pixel_y >> square_bits;
   const uint32_t in_square = (uint32_t{1} << square_bits) - 1;
   const uint32_t in_block = (uint32_t{1} << bits) - 1;
-  pixel_hash_ = Mix(Mix(Mix(seed), (uint64_t{square_y} << 32) | square_x), sample_index >> bits);
-  sample_index_ = ReverseBits((ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) |
-                              (sample_index & in_block));
+  pixel_hash_ =
+      MixBits(MixBits(MixBits(seed), (uint64_t{square_y} << 32) | square_x), sample_index >> bits);
+  sample_index_ = sobol::ReverseBits((ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) |
+                                     (sample_index & in_block));
   kind_ = SamplerKind::kSobol;
 }
 
 float Sampler::Stratified1D(uint64_t hash) const {
-  const uint64_t block = Mix(hash, sample_index_ / kStrata);
+  const uint64_t block = MixBits(hash, sample_index_ / kStrata);
   const uint32_t stratum = Permute(sample_index_ % kStrata, kStrata, LowHalf(block));
-  const auto within = static_cast<uint32_t>(Mix(hash, ~uint64_t{sample_index_}) >> 44);
+  const auto within = static_cast<uint32_t>(MixBits(hash, ~uint64_t{sample_index_}) >> 44);
   return ToUnitInterval((stratum << 28) | (within << 8));
 }
 
 // Each square of the 4 x 4 holds one sample, and so do each of 16 columns and of 16 rows.
 Vec2 Sampler::Stratified2D(uint64_t hash) const {
-  const uint64_t block = Mix(hash, sample_index_ / kStrata);
+  const uint64_t block = MixBits(hash, sample_index_ / kStrata);
   const uint32_t square = Permute(sample_index_ % kStrata, kStrata, LowHalf(block));
   const uint32_t column = square % 4, row = square / 4;
   const uint32_t fine_column = Permute(row, 4, HighHalf(block));
-  const uint32_t fine_row = Permute(column, 4, LowHalf(Mix(block)));
-  const uint64_t within = Mix(hash, ~uint64_t{sample_index_});
+  const uint32_t fine_row = Permute(column, 4, LowHalf(MixBits(block)));
+  const uint64_t within = MixBits(hash, ~uint64_t{sample_index_});
   return {ToUnitInterval((column << 30) | (fine_column << 28) | (LowHalf(within) >> 4)),
           ToUnitInterval((row << 30) | (fine_row << 28) | (HighHalf(within) >> 4))};
 }
 
 float Sampler::Other1D(uint64_t hash) const {
   if (kind_ == SamplerKind::kStratified) return Stratified1D(hash);
-  return ToUnitInterval(LowHalf(Mix(hash, sample_index_)));
+  return ToUnitInterval(LowHalf(MixBits(hash, sample_index_)));
 }
 
 Vec2 Sampler::Other2D(uint64_t hash) const {
   if (kind_ == SamplerKind::kStratified) return Stratified2D(hash);
-  const uint64_t bits = Mix(hash, sample_index_);
+  const uint64_t bits = MixBits(hash, sample_index_);
   return {ToUnitInterval(LowHalf(bits)), ToUnitInterval(HighHalf(bits))};
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "math/vec.h"
+#include "sampling/hash.h"
 #include "sampling/scrambled_sobol.h"
 
 namespace candela {
@@ -81,17 +82,18 @@ class Sampler {
           SamplerType type = {});
 
   float Get1D(uint32_t dimension) const {
-    const uint64_t hash = sobol::Mix(pixel_hash_, dimension);
+    const uint64_t hash = MixBits(pixel_hash_, dimension);
     return kind_ == SamplerKind::kSobol ? sobol::Point(sample_index_, hash) : Other1D(hash);
   }
 
   /// A pair that is evenly spread as a pair. It takes the place of `dimension` and `dimension + 1`.
   Vec2 Get2D(uint32_t dimension) const {
-    const uint64_t hash = sobol::Mix(pixel_hash_, dimension);
+    const uint64_t hash = MixBits(pixel_hash_, dimension);
     return kind_ == SamplerKind::kSobol ? sobol::PairOfPoints(sample_index_, hash) : Other2D(hash);
   }
 
  private:
+  // Of the kinds without Sobol points.
   float Other1D(uint64_t hash) const;
   Vec2 Other2D(uint64_t hash) const;
   float Stratified1D(uint64_t hash) const;
@@ -99,7 +101,7 @@ class Sampler {
 
   uint64_t pixel_hash_;
   uint32_t sample_index_;  ///< For Sobol points with its bits reversed, as these want it.
-  SamplerKind kind_;
+  SamplerKind kind_;       ///< Of blue noise, whose points are those of Sobol, it is that.
 };
 
 }  // namespace candela

@@ -3,25 +3,12 @@
 #include <cstdint>
 
 #include "math/vec.h"
+#include "sampling/hash.h"
 
 /// Sobol points with hashed Owen scrambling, after B. Burley, "Practical hash-based Owen
 /// scrambling" (JCGT 2020), and what they are made of. In a header: the steps of one point wait for
 /// each other, and a caller has others to take meanwhile.
 namespace candela::sobol {
-
-/// A bijection that spreads every bit over all 64: the finaliser of SplitMix64 (Steele, Lea and
-/// Flood, "Fast splittable pseudorandom number generators", 2014).
-inline uint64_t Mix(uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-/// Joins a hash and one more value; the odd constant keeps a value of 0 from leaving the hash
-/// alone.
-inline uint64_t Mix(uint64_t hash, uint64_t value) {
-  return Mix(hash ^ (value + 0x9e3779b97f4a7c15u));
-}
 
 /// The bits of each byte, from the other end.
 template <class Word>
@@ -61,17 +48,6 @@ inline uint32_t PascalMatrix(uint32_t index) {
   return index;
 }
 
-inline uint32_t LowHalf(uint64_t x) {
-  return static_cast<uint32_t>(x);
-}
-inline uint32_t HighHalf(uint64_t x) {
-  return static_cast<uint32_t>(x >> 32);
-}
-
-inline float ToUnitInterval(uint32_t bits) {
-  return static_cast<float>(bits >> 8) * 0x1p-24f;
-}
-
 /// The point of a scrambled sequence whose digits are `digits` from the lowest bit up.
 inline float ScrambledPoint(uint32_t digits, uint32_t seed) {
   return ToUnitInterval(ReverseBits(ScrambleUpwards(digits, seed)));
@@ -103,7 +79,7 @@ inline float Point(uint32_t reversed_index, uint64_t hash) {
 /// The same of a sequence of pairs.
 inline Vec2 PairOfPoints(uint32_t reversed_index, uint64_t hash) {
   const uint32_t index = Shuffle(reversed_index, LowHalf(hash));
-  return ScrambledPoints(index, HighHalf(hash), PascalMatrix(index), LowHalf(Mix(hash)));
+  return ScrambledPoints(index, HighHalf(hash), PascalMatrix(index), LowHalf(MixBits(hash)));
 }
 
 }  // namespace candela::sobol

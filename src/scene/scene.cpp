@@ -18,7 +18,7 @@ void AddTextureSpace(const SceneObject& object, const HitRecord& hit, SurfacePoi
 /// Takes both normals of an object into the world.
 void NormalsToWorld(const SceneObject& object, const Transform& object_from_world,
                     SurfacePoint* point) {
-  if (object.flat_normal != Vec3()) {
+  if (object.HasFlatNormal()) {
     point->n_geometric = point->n_shading = object.flat_normal;
     return;
   }
@@ -32,7 +32,7 @@ void NormalsToWorld(const SceneObject& object, const Transform& object_from_worl
 void ToWorldForShading(const SceneObject& object, const Transform& object_from_world,
                        SurfacePoint* point) {
   if (object.is_textured) point->dpdu = point->dpdv = Vec3();
-  if (object.is_textured || object.flat_normal != Vec3()) {
+  if (object.is_textured || object.HasFlatNormal()) {
     NormalsToWorld(object, object_from_world, point);
   } else {
     point->n_shading = SceneObject::NormalToWorld(point->n_shading, object_from_world);

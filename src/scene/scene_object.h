@@ -30,7 +30,7 @@ struct SceneObject {
   bool is_baked = false;            ///< It consists of triangles that lie in the world.
   /// It depends on the time: its place, which then `space` says, or its shape.
   bool is_moving = false;
-  /// In the world; 0 where it is not the same everywhere and at all times.
+  /// The unit normal of a flat object at rest, in the world; 0 of all others.
   Vec3 flat_normal{};
   /// Where it is when it moves. Also of what is baked: where its texture fills space, for materials
   /// that ask for coordinates.
@@ -46,6 +46,9 @@ struct SceneObject {
     local.time = ray.time;
     return local;
   }
+
+  /// Whether that is known.
+  bool HasFlatNormal() const { return flat_normal != Vec3(); }
 
   /// A unit normal of the shape in world space, as unit vector: by the inverse transpose.
   Vec3 NormalToWorld(Vec3 n) const { return NormalToWorld(n, object_from_world); }

@@ -26,15 +26,9 @@ struct MeshTriangle {
 
   SurfacePoint SurfaceAt(const HitRecord& hit) const {
     const Vec3 face_normal = FaceNormal();
-    if (IsFlat()) {
-      return {TrianglePoint(p[0], p[1], p[2], hit.u, hit.v),
-              TrianglePointError(p[0], p[1], p[2], hit.u, hit.v), face_normal, face_normal};
-    }
-    const auto normal = [&](size_t k) { return n[k] == Vec3() ? face_normal : n[k]; };
-    const Vec3 blended = normal(0) * (1 - hit.u - hit.v) + normal(1) * hit.u + normal(2) * hit.v;
     return {TrianglePoint(p[0], p[1], p[2], hit.u, hit.v),
             TrianglePointError(p[0], p[1], p[2], hit.u, hit.v), face_normal,
-            blended == Vec3() ? face_normal : blended};
+            ShadingNormal(hit, face_normal)};
   }
 
   /// See `Shape::LiftOf`.
@@ -43,6 +37,14 @@ struct MeshTriangle {
   /// Adds texture coordinates, of which those of the corners are given.
   void AddTextureCoordinates(const std::array<Vec2, 3>& uvs, const HitRecord& hit,
                              SurfacePoint* point) const;
+
+ private:
+  Vec3 ShadingNormal(const HitRecord& hit, Vec3 face_normal) const {
+    if (IsFlat()) return face_normal;  // Blending three of them would round.
+    const auto normal = [&](size_t k) { return n[k] == Vec3() ? face_normal : n[k]; };
+    const Vec3 blended = normal(0) * (1 - hit.u - hit.v) + normal(1) * hit.u + normal(2) * hit.v;
+    return blended == Vec3() ? face_normal : blended;
+  }
 };
 
 }  // namespace candela

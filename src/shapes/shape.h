@@ -41,7 +41,8 @@ class Shape {
   /// found during traversal are replaced by nearer ones.
   virtual SurfacePoint SurfaceAt(const Ray& ray, const HitRecord& hit) const = 0;
 
-  /// The normal of a flat shape, which `SurfaceAt` gives for all hits, as both; 0 for others.
+  /// The normal that `SurfaceAt` gives for all hits of a flat shape, as both, in object space and
+  /// of any length; 0 for others, and for shapes of triangles.
   virtual Vec3 FlatNormal() const { return {}; }
 
   /// Adds texture coordinates, and how the point moves with them, to what `SurfaceAt` gave. Kept

@@ -48,14 +48,16 @@ class SurfaceSampler {
   /// Of one side.
   virtual double Area() const = 0;
 
-  /// The unit normal of a surface that lies in a plane; 0 for others.
+  /// The unit normal of a surface that lies in a plane, in world space; 0 for others.
   virtual Vec3 FlatNormal() const { return {}; }
 
   virtual uint64_t MemoryBytes() const = 0;
 };
 
+// In the header, since path tracers ask for nothing as often.
+
 /// A cosine from which on a point is seen edge-on.
-inline constexpr float kEdgeOn = 1e-6f;
+inline constexpr float kEdgeOnCosine = 1e-6f;
 
 /// The sample of a point that was drawn by area, from all of `area`.
 inline SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n, double area) {
@@ -70,7 +72,7 @@ inline SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n
   const float cosine = std::abs(Dot(n, sample.direction));
   const float rounding = (MaxAbs(from) + MaxAbs(p)) * 4e-6f / (cosine + 0.001f);
   sample.distance = distance - rounding - distance * 1e-5f;
-  if (!(sample.distance > 0) || !(cosine > kEdgeOn)) return sample;
+  if (!(sample.distance > 0) || !(cosine > kEdgeOnCosine)) return sample;
   sample.pdf = squared / (static_cast<float>(area) * cosine);
   return sample;
 }
@@ -81,7 +83,7 @@ inline float PdfByArea(const Vec3& from, const Vec3& p, const Vec3& n, double ar
   const float squared = LengthSquared(way);
   const float distance = std::sqrt(squared);
   const float height = std::abs(Dot(n, way));  // Distance times cosine.
-  if (!(height > kEdgeOn * distance)) return 0;
+  if (!(height > kEdgeOnCosine * distance)) return 0;
   return squared * distance / (static_cast<float>(area) * height);
 }
 

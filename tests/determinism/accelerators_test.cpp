@@ -45,7 +45,7 @@ TEST(Accelerator, ChangesNothingInTheScenesThatShip) {
 class AcceleratorOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(AcceleratorOf, RandomScenesChangesNothing) {
-  for (uint32_t seed = 0; seed < 4; ++seed) {
+  for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
     const RenderOptions options = WholePicture(kWidth, kHeight);
     ExpectSamePictures([&](AcceleratorKind accelerator) {
@@ -58,7 +58,7 @@ TEST_P(AcceleratorOf, RandomScenesChangesNothing) {
 // Some of these meshes are instances, which have accelerators of their own. Without any of them a
 // ray takes long.
 TEST_P(AcceleratorOf, RandomMeshesChangesNothing) {
-  for (uint32_t seed = 0; seed < 4; ++seed) {
+  for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
     const RenderOptions options = WholePicture(kWidth / 2, kHeight / 2);
     ExpectSamePictures([&](AcceleratorKind accelerator) {
@@ -69,7 +69,7 @@ TEST_P(AcceleratorOf, RandomMeshesChangesNothing) {
 }
 
 TEST_P(AcceleratorOf, MovingScenesChangesNothing) {
-  for (uint32_t seed = 0; seed < 4; ++seed) {
+  for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
     const RenderOptions options = WholePicture(kWidth / 2, kHeight / 2);
     ExpectSamePictures([&](AcceleratorKind accelerator) {

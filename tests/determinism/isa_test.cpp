@@ -62,7 +62,7 @@ TEST(InstructionSet, ChangesNothingInTheScenesThatShip) {
 class InstructionSetOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(InstructionSetOf, RandomScenesChangesNothing) {
-  for (uint32_t seed = 0; seed < 4; ++seed) {
+  for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
     const RenderOptions options = OptionsFor(Placements().back(), kWidth, kHeight);
     ExpectSamePictures([&] {
@@ -73,7 +73,7 @@ TEST_P(InstructionSetOf, RandomScenesChangesNothing) {
 }
 
 TEST_P(InstructionSetOf, RandomMeshesChangesNothing) {
-  for (uint32_t seed = 0; seed < 4; ++seed) {
+  for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
     const RenderOptions options = OptionsFor(Placements().back(), kWidth, kHeight);
     ExpectSamePictures([&] {

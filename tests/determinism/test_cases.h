@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "scene/scene.h"
 
 namespace candela::determinism {
+
+/// So many random scenes are compared over instruction sets and accelerators.
+inline constexpr uint32_t kComparedScenes = 4;
 
 /// A scene with an integrator for it.
 struct Subject {

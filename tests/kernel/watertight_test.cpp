@@ -26,7 +26,7 @@ constexpr int64_t kRays = 1'000'000'000;
 constexpr bool kAllWays = false;
 #elif defined(CANDELA_SANITIZED)
 constexpr int64_t kRays = 100'000;
-constexpr bool kAllWays = true;
+constexpr bool kAllWays = true;  // The rays of a mesh are one list, which would go one way only.
 #else
 constexpr int64_t kRays = 10'000'000;
 constexpr bool kAllWays = false;

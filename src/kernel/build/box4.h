@@ -1,5 +1,8 @@
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "geometry/bounds3.h"
 #include "math/float4.h"
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/cancel_token.h"

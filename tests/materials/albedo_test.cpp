@@ -1,5 +1,5 @@
 // What materials reflect at 32 angles and 32 roughnesses, and that light may go both ways. With
-// CANDELA_SLOW there are more samples.
+// CANDELA_SLOW there are more samples, under sanitizers fewer angles and roughnesses.
 
 #include <gtest/gtest.h>
 
@@ -29,13 +29,17 @@ using test::kLargestDeviate;
 using test::UniformNumbers;
 
 #ifdef CANDELA_SLOW
-constexpr uint32_t kSamples = 1024;
-constexpr double kStrength = 4e-3;
+constexpr uint32_t kSamples = 8192;
+constexpr double kStrength = 1e-3;
 #else
 constexpr uint32_t kSamples = 128;
 constexpr double kStrength = 0.01;
 #endif
+#ifdef CANDELA_SANITIZED
+constexpr int kSteps = 6;
+#else
 constexpr int kSteps = 32;
+#endif
 const Vec3 kNormal = Normalize(Vec3{2, 1, -2});
 
 /// Those that absorb nothing: what they reflect is 1, and must not be more.

@@ -10,13 +10,8 @@
 #include "math/wavelength.h"
 #include "tests/materials/white_furnace.h"
 
-namespace candela {
+namespace candela::test {
 namespace {
-
-using test::DirectionAt;
-using test::ExpectWhite;
-using test::kAlphas;
-using test::kNormal;
 
 DielectricMaterial Glass(float ior, float alpha) {
   return {{ior, {}}, Roughness::OfAlpha(alpha)};
@@ -137,4 +132,4 @@ TEST(WhiteFurnace, ThinFilmsLoseNothing) {
 }
 
 }  // namespace
-}  // namespace candela
+}  // namespace candela::test

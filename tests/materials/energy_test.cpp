@@ -14,18 +14,8 @@
 #include "materials/retroreflective.h"
 #include "tests/materials/white_furnace.h"
 
-namespace candela {
+namespace candela::test {
 namespace {
-
-using test::Albedo;
-using test::AlbedoOf;
-using test::BsdfOf;
-using test::DirectionAt;
-using test::ExpectWhite;
-using test::kAlphas;
-using test::kLargestDeviate;
-using test::kNormal;
-using test::UniformNumbers;
 
 /// A metal that absorbs nothing.
 ConductorMaterial WhiteMetal(float alpha) {
@@ -172,4 +162,4 @@ TEST(Energy, NoMaterialMakesLight) {
 }
 
 }  // namespace
-}  // namespace candela
+}  // namespace candela::test

@@ -9,19 +9,8 @@
 #include "tests/materials/white_furnace.h"
 #include "textures/constant_texture.h"
 
-namespace candela {
+namespace candela::test {
 namespace {
-
-using test::Albedo;
-using test::AlbedoOf;
-using test::BsdfOf;
-using test::DirectionAt;
-using test::ExpectWhite;
-using test::kAlphas;
-using test::kIncidences;
-using test::kLargestDeviate;
-using test::kNormal;
-using test::UniformNumbers;
 
 /// White, with a roughness whose square is `alpha`.
 PrincipledMaterial::Inputs WhitePrincipled(float alpha) {
@@ -154,4 +143,4 @@ TEST(Principled, OfTexturesMakesNoLightAndLosesLittle) {
 }
 
 }  // namespace
-}  // namespace candela
+}  // namespace candela::test

@@ -1,5 +1,5 @@
 // How fast the noise of path tracing falls with the number of samples: the slope of log RMSE over
-// log N. With CANDELA_SLOW there are more scenes, techniques and runs.
+// log N. The slow set has more scenes and techniques.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,11 +10,13 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "integrators/path.h"
 #include "integrators/registry.h"
 #include "tests/support/compile_text.h"
+#include "tests/support/effort.h"
 #include "tests/support/estimate.h"
 
 namespace candela {
@@ -22,17 +24,12 @@ namespace {
 
 using testing_support::CompileText;
 using testing_support::EstimateRadiance;
-
-#ifdef CANDELA_SLOW
-constexpr bool kIsSlow = true;
-#else
-constexpr bool kIsSlow = false;
-#endif
+using testing_support::kIsSlow;
 
 /// Pixels from whose means the RMSE is taken, at least: its own relative error is
 /// 1 / sqrt(2 pixels), and that of the slope, which all seven numbers of samples share, 0.097 times
 /// that.
-constexpr uint32_t kPixels = kIsSlow ? 512 : 128;
+constexpr uint32_t kPixels = 128;
 /// Samples at least, whatever the pixels: few samples of a pixel cost little.
 constexpr uint32_t kLeastSamples = 65536;
 
@@ -145,51 +142,53 @@ std::vector<SceneRow> Scenes() {
   return scenes;
 }
 
+struct TechniquesRow {
+  const char* name;
+  PathTechniques techniques;
+};
+
+std::vector<TechniquesRow> Techniques() {
+  std::vector<TechniquesRow> all = {{"Usual", {}}};
+  if (!kIsSlow) return all;
+  PathTechniques others;
+  others.weights = PathTechniques::Weights::kBalanceHeuristic;
+  others.light_choice = LightChoice::kUniform;
+  PathTechniques rays_alone;
+  rays_alone.next_event = false;
+  all.push_back({"OtherWeightsAndChoices", others});
+  all.push_back({"RaysAlone", rays_alone});
+  return all;
+}
+
 void PrintTo(const SceneRow& row, std::ostream* out) {
   *out << row.name;
 }
 
-class NoiseOf : public testing::TestWithParam<SceneRow> {
- protected:
-  void ExpectSlopes(const PathTechniques& techniques) {
-    const auto scene = CompileText(GetParam().text);
-    for (const SamplerRow& row : kSamplers) {
-      const auto path = PathWith(*scene, GetParam().bounces, row.kind, techniques);
-      const double slope = SlopeOfNoise(*path, {0.02f, 0.03f}, GetParam().pixels);
-      RecordProperty(row.name, fmt::format("{:.3f}", slope));
-      EXPECT_GE(slope, row.steepest) << row.name;
-      EXPECT_LE(slope, GetParam().is_under_a_rectangle ? row.under_a_rectangle : row.shallowest)
-          << row.name;
-    }
-  }
-};
+void PrintTo(const TechniquesRow& row, std::ostream* out) {
+  *out << row.name;
+}
 
-INSTANTIATE_TEST_SUITE_P(Scenes, NoiseOf, testing::ValuesIn(Scenes()),
-                         [](const auto& row) { return std::string(row.param.name); });
+class NoiseOf : public testing::TestWithParam<std::tuple<SceneRow, TechniquesRow>> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, NoiseOf, testing::Combine(testing::ValuesIn(Scenes()), testing::ValuesIn(Techniques())),
+    [](const auto& test) {
+      return std::string(std::get<0>(test.param).name) + "_" + std::get<1>(test.param).name;
+    });
 
 // P10
 TEST_P(NoiseOf, FallsWithTheSamplesAsItsSamplerPromises) {
-  ExpectSlopes({});
+  const auto& [scene_row, techniques] = GetParam();
+  const auto scene = CompileText(scene_row.text);
+  for (const SamplerRow& row : kSamplers) {
+    const auto path = PathWith(*scene, scene_row.bounces, row.kind, techniques.techniques);
+    const double slope = SlopeOfNoise(*path, {0.02f, 0.03f}, scene_row.pixels);
+    RecordProperty(row.name, fmt::format("{:.3f}", slope));
+    EXPECT_GE(slope, row.steepest) << row.name;
+    EXPECT_LE(slope, scene_row.is_under_a_rectangle ? row.under_a_rectangle : row.shallowest)
+        << row.name;
+  }
 }
-
-#ifdef CANDELA_SLOW
-
-// P10
-TEST_P(NoiseOf, WithOtherWeightsAndChoicesFallsAsItsSamplerPromises) {
-  PathTechniques techniques;
-  techniques.weights = PathTechniques::Weights::kBalanceHeuristic;
-  techniques.light_choice = LightChoice::kUniform;
-  ExpectSlopes(techniques);
-}
-
-// P10
-TEST_P(NoiseOf, WithRaysAloneFallsAsItsSamplerPromises) {
-  PathTechniques techniques;
-  techniques.next_event = false;
-  ExpectSlopes(techniques);
-}
-
-#endif
 
 }  // namespace
 }  // namespace candela

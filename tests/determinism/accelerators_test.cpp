@@ -17,13 +17,15 @@ using testing_support::CourseScene;
 using testing_support::RenderImage;
 using testing_support::WholePicture;
 
-constexpr int kWidth = 40, kHeight = 30;
+// Without a structure a ray takes long.
+constexpr int kWidth = 20, kHeight = 15;
 
 /// `render` compiles a scene for an accelerator and renders it.
 void ExpectSamePictures(const std::function<Image(AcceleratorKind)>& render) {
   const Image expected = render(AcceleratorKind::kBvh);
   EXPECT_FALSE(expected.Samples().empty());
   for (const AcceleratorEntry& entry : Accelerators()) {
+    if (entry.kind == AcceleratorKind::kBvh) continue;
     EXPECT_TRUE(render(entry.kind) == expected) << entry.name;
   }
 }
@@ -55,12 +57,11 @@ TEST_P(AcceleratorOf, RandomScenesChangesNothing) {
   }
 }
 
-// Some of these meshes are instances, which have accelerators of their own. Without any of them a
-// ray takes long.
+// Some of these meshes are instances, which have accelerators of their own.
 TEST_P(AcceleratorOf, RandomMeshesChangesNothing) {
   for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
-    const RenderOptions options = WholePicture(kWidth / 2, kHeight / 2);
+    const RenderOptions options = WholePicture(kWidth, kHeight);
     ExpectSamePictures([&](AcceleratorKind accelerator) {
       const Subject subject = MakeMeshSubject(GetParam(), seed, accelerator);
       return RenderImage(*subject.integrator, options);
@@ -71,7 +72,7 @@ TEST_P(AcceleratorOf, RandomMeshesChangesNothing) {
 TEST_P(AcceleratorOf, MovingScenesChangesNothing) {
   for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
-    const RenderOptions options = WholePicture(kWidth / 2, kHeight / 2);
+    const RenderOptions options = WholePicture(kWidth, kHeight);
     ExpectSamePictures([&](AcceleratorKind accelerator) {
       const Subject subject = MakeMovingSubject(GetParam(), seed, accelerator);
       return RenderImage(*subject.integrator, options);

@@ -49,7 +49,7 @@ TEST_P(Crop, IsThatPartOfTheWhole) {
 
 INSTANTIATE_TEST_SUITE_P(All, Crop,
                          testing::Combine(testing::Values("whitted", "path", "light_trace"),
-                                          testing::ValuesIn(Placements())),
+                                          testing::ValuesIn(ComparedPlacements())),
                          [](const auto& test) {
                            return std::get<0>(test.param) + ("_" + std::get<1>(test.param).name);
                          });

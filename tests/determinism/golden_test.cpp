@@ -118,7 +118,7 @@ std::string LinesOfPlacements() {
   std::string lines;
   const Subject subject = MakeSubject("whitted", 0);
   if (!subject.integrator) return lines;
-  for (const Placement& placement : Placements()) {
+  for (const Placement& placement : AllPlacements()) {
     lines += Line(placement.name,
                   RenderImage(*subject.integrator, OptionsFor(placement, kWidth, kHeight)));
   }

@@ -64,7 +64,7 @@ class InstructionSetOf : public testing::TestWithParam<const char*> {};
 TEST_P(InstructionSetOf, RandomScenesChangesNothing) {
   for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
-    const RenderOptions options = OptionsFor(Placements().back(), kWidth, kHeight);
+    const RenderOptions options = OptionsFor(AllPlacements().back(), kWidth, kHeight);
     ExpectSamePictures([&] {
       const Subject subject = MakeSubject(GetParam(), seed);
       return RenderImage(*subject.integrator, options);
@@ -75,7 +75,7 @@ TEST_P(InstructionSetOf, RandomScenesChangesNothing) {
 TEST_P(InstructionSetOf, RandomMeshesChangesNothing) {
   for (uint32_t seed = 0; seed < kComparedScenes; ++seed) {
     SCOPED_TRACE(seed);
-    const RenderOptions options = OptionsFor(Placements().back(), kWidth, kHeight);
+    const RenderOptions options = OptionsFor(AllPlacements().back(), kWidth, kHeight);
     ExpectSamePictures([&] {
       const Subject subject = MakeMeshSubject(GetParam(), seed);
       return RenderImage(*subject.integrator, options);

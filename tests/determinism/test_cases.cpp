@@ -63,7 +63,7 @@ Subject MakeMovingSubject(const std::string& integrator, uint32_t seed,
   return WithIntegrator(integrator, testing_support::SceneOfSpec(spec, accelerator));
 }
 
-std::vector<Placement> Placements() {
+std::vector<Placement> AllPlacements() {
   std::vector<Placement> all = {
       {"centre", SamplePattern::kCentre, 1},
       {"strata", SamplePattern::kStrata, kStrataSamples},
@@ -74,6 +74,12 @@ std::vector<Placement> Placements() {
     all.push_back({"filter_" + name, SamplePattern::kFilter, 5, name});
   }
   return all;
+}
+
+std::vector<Placement> ComparedPlacements() {
+  std::vector<Placement> compared = AllPlacements();
+  if (testing_support::kIsSanitized) compared.resize(4);
+  return compared;
 }
 
 RenderOptions OptionsFor(const Placement& placement, int width, int height) {

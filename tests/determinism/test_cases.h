@@ -9,11 +9,12 @@
 #include "kernel/accelerator_kind.h"
 #include "render/render_options.h"
 #include "scene/scene.h"
+#include "tests/support/effort.h"
 
 namespace candela::determinism {
 
 /// So many random scenes are compared over instruction sets and accelerators.
-inline constexpr uint32_t kComparedScenes = 4;
+inline constexpr uint32_t kComparedScenes = testing_support::kIsSanitized ? 1 : 3;
 
 /// A scene with an integrator for it.
 struct Subject {
@@ -43,7 +44,10 @@ struct Placement {
 };
 
 /// All patterns, and each row of the table of filters.
-std::vector<Placement> Placements();
+std::vector<Placement> AllPlacements();
+
+/// What is compared over threads and crops: under sanitizers one for each pattern.
+std::vector<Placement> ComparedPlacements();
 
 /// Everything else as `WholePicture` has it.
 RenderOptions OptionsFor(const Placement& placement, int width, int height);

@@ -141,8 +141,8 @@ IntegratorOptions Gathering(uint32_t rays, IndirectSampling sampling, uint32_t l
 
 /// Two estimates of the same, each to 0.1 percent.
 void ExpectSame(const testing_support::Estimate& a, const testing_support::Estimate& b) {
-  EXPECT_LE(a.error, 1e-3 * a.mean);
-  EXPECT_LE(b.error, 1e-3 * b.mean);
+  EXPECT_LE(a.error, testing_support::LargestError(1e-3) * a.mean);
+  EXPECT_LE(b.error, testing_support::LargestError(1e-3) * b.mean);
   EXPECT_NEAR(a.mean, b.mean, test::kLargestDeviate * std::hypot(a.error, b.error));
 }
 
@@ -183,8 +183,8 @@ TEST(AreaLight, LightsAsPathsSay) {
   options.light_samples = 16;
   const auto seen =
       EstimateRadiance(DistributionIntegrator(*scene, options), {0.1f, -0.1f}, 64, 256);
-  EXPECT_LE(seen.error, 1e-3 * seen.mean);
-  EXPECT_LE(expected.error, 3e-3 * expected.mean);
+  EXPECT_LE(seen.error, testing_support::LargestError(1e-3) * seen.mean);
+  EXPECT_LE(expected.error, testing_support::LargestError(3e-3) * expected.mean);
   EXPECT_NEAR(seen.mean, expected.mean,
               test::kLargestDeviate * std::hypot(seen.error, expected.error));
 }

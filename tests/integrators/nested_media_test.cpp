@@ -78,7 +78,7 @@ TEST(NestedMedia, GlassReflectsAgainstWaterAsTheirIndicesSay) {
   const double r = HeadOn(kGlass, kWater);
   const Estimate reflected = Seen(text(1, 0), {}, 256, 8192);
   EXPECT_NEAR(reflected.mean, r, test::kLargestDeviate * reflected.error);
-  EXPECT_LE(reflected.error, 0.01 * r);
+  EXPECT_LE(reflected.error, testing_support::LargestError(0.01) * r);
   ExpectEstimate(Seen(text(0, 1)), (1 - r) * std::pow(kGlass / kWater, 2));
 }
 
@@ -211,7 +211,7 @@ TEST(NestedMedia, ClearOnesAreInvisibleInTheFurnace) {
       const Estimate estimate = Seen(drink, {}, 64, is_smooth ? 256 : 1024, where);
       EXPECT_NEAR(estimate.mean, 1,
                   (is_smooth ? 1e-5 : 5e-3) + test::kLargestDeviate * estimate.error);
-      EXPECT_LE(estimate.error, 1e-2);
+      EXPECT_LE(estimate.error, testing_support::LargestError(1e-2));
     }
   }
 }

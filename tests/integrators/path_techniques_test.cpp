@@ -63,8 +63,8 @@ const char* kLamps =
 void ExpectSame(const Estimate& a, const Estimate& b, double strength = 3e-3) {
   const double error = std::sqrt(a.error * a.error + b.error * b.error);
   EXPECT_LE(std::abs(a.mean - b.mean), test::kLargestDeviate * error) << a.mean << " " << b.mean;
-  EXPECT_LE(a.error, strength * a.mean);
-  EXPECT_LE(b.error, strength * b.mean);
+  EXPECT_LE(a.error, testing_support::LargestError(strength) * a.mean);
+  EXPECT_LE(b.error, testing_support::LargestError(strength) * b.mean);
 }
 
 /// The mean of the whole picture, with its error from runs that do not depend on each other.

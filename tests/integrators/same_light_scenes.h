@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@ namespace candela::same_light {
 /// A small scene, in which some way to transport light is at work.
 struct NamedScene {
   std::string name;
-  uint32_t effort;  ///< How many samples it takes to the same precision as the others.
   std::string text;
 };
 

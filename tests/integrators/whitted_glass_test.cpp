@@ -66,7 +66,7 @@ TEST(Refraction, BesideAReflectionThatTakesLightAwayKeepsTheMean) {
       "} Component<Material> { index 0 }");
   const auto seen = EstimateRadiance(DistributionIntegrator(*scene, Bounces(8)), {0, 0}, 256, 512);
   EXPECT_NEAR(seen.mean, 0.149877, 4 * seen.error + 1e-6);
-  EXPECT_LT(4 * seen.error, 0.02);
+  EXPECT_LT(4 * seen.error, testing_support::LargestError(0.02));
 }
 
 // Snell's law, by the ray: through water of depth 1 a stripe of the ground is seen where

@@ -1,5 +1,5 @@
 // A picture does not depend on where in the world its scene stands, nor on how it is described.
-// With CANDELA_SLOW there are more samples.
+// The slow set has more samples.
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 #include "tests/invariance/changed_scene.h"
 #include "tests/sampling/chi_square.h"
 #include "tests/support/compile_text.h"
+#include "tests/support/effort.h"
 #include "tests/support/render_scene.h"
 #include "tests/support/temp_folder.h"
 
@@ -25,14 +26,12 @@ void PrintTo(const SceneRow& row, std::ostream* out) {
 
 namespace {
 
+using testing_support::kIsSanitized;
+using testing_support::kIsSlow;
+
 constexpr int kSize = 24, kBlock = 8;
-#ifdef CANDELA_SLOW
-constexpr uint32_t kSamples = 4096;
-constexpr double kStrength = 2e-3;
-#else
-constexpr uint32_t kSamples = 64;
-constexpr double kStrength = 0.02;
-#endif
+constexpr uint32_t kSamples = kIsSlow ? 1024 : kIsSanitized ? 8 : 64;
+constexpr double kStrength = kIsSlow ? 5e-3 : kIsSanitized ? 0.2 : 0.02;
 
 /// The difference of two pictures over a window, in standard errors. The pixels are independent of
 /// each other, and those of the same place have the same mean if nothing depends on the change; so
@@ -59,7 +58,7 @@ class Picture : public testing::TestWithParam<SceneRow> {
 
   /// As `path` sees the changed scene. The two pictures of a comparison have different seeds, so
   /// that nothing which they share is taken for agreement.
-  static Image Render(Change change, uint32_t seed) {
+  static Image Render(Change change, uint32_t seed, uint32_t samples) {
     const auto scene =
         testing_support::CompileText(ChangedScene(GetParam(), change), folder_->path());
     IntegratorOptions path;
@@ -68,7 +67,7 @@ class Picture : public testing::TestWithParam<SceneRow> {
     RenderOptions options = testing_support::WholePicture(kSize, kSize);
     options.grid = PixelGrid::kCentres;
     options.pattern = SamplePattern::kFilter;
-    options.samples = kSamples;
+    options.samples = samples;
     options.seed = seed;
     return testing_support::RenderImage(PathIntegrator(*scene, path), options);
   }
@@ -89,10 +88,10 @@ double Grey(const Image& image, int x, int y) {
 
 // P17: in blocks of 8 x 8 pixels, and in the whole picture.
 TEST_P(Picture, StaysTheSameUnderChangesThatDoNotMatter) {
-  const Image plain = Render(Change::kNone, 1);
+  const Image plain = Render(Change::kNone, 1, kSamples);
   for (const auto& [name, change] : kChanges) {
     SCOPED_TRACE(name);
-    const Image changed = Render(change, 2);
+    const Image changed = Render(change, 2, kSamples);
     Difference whole;
     for (int y0 = 0; y0 < kSize; y0 += kBlock) {
       for (int x0 = 0; x0 < kSize; x0 += kBlock) {
@@ -116,7 +115,7 @@ TEST_P(Picture, StaysTheSameUnderChangesThatDoNotMatter) {
 // P17: the search for hits does not know in which order objects came, unless they are hit at the
 // same distance.
 TEST_P(Picture, HasTheSameBitsForAnyOrderOfItsObjects) {
-  EXPECT_EQ(Render(Change::kReorder, 3), Render(Change::kNone, 3));
+  EXPECT_EQ(Render(Change::kReorder, 3, 8), Render(Change::kNone, 3, 8));
 }
 
 }  // namespace

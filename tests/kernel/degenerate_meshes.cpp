@@ -1,4 +1,5 @@
 #include "tests/kernel/degenerate_scenes.h"
+#include "tests/support/effort.h"
 
 #include <array>
 #include <cmath>
@@ -14,11 +15,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLargest = std::numeric_limits<float>::max();
 constexpr float kSmallest = std::numeric_limits<float>::min();
 constexpr float kTiniest = std::numeric_limits<float>::denorm_min();
-#ifdef CANDELA_SANITIZED
-constexpr uint32_t kMany = 2'000;
-#else
-constexpr uint32_t kMany = 1'000'000;
-#endif
+constexpr uint32_t kMany = testing_support::kIsSanitized ? 2'000 : 1'000'000;
 
 using Corners = std::array<Vec3, 3>;
 

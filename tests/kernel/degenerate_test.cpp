@@ -11,18 +11,16 @@
 #include <vector>
 
 #include "tests/kernel/degenerate_scenes.h"
+#include "tests/kernel/full_search.h"
 #include "tests/kernel/sphere_set.h"
 #include "tests/kernel/trace_lists.h"
+#include "tests/support/effort.h"
 
 namespace candela::test {
 namespace {
 
 constexpr float kLargest = std::numeric_limits<float>::max();
-#ifdef CANDELA_SANITIZED
-constexpr size_t kRays = 40;
-#else
-constexpr size_t kRays = 300;
-#endif
+constexpr size_t kRays = testing_support::kIsSanitized ? 40 : 300;
 
 /// Of a group's own items; those of groups inside have trees of their own.
 struct Extent {
@@ -97,7 +95,8 @@ TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
   const bool is_large = extent.primitives > 50'000;
   const std::vector<Ray> rays = RaysThrough(description, is_large ? 8 : kRays);
   std::vector<HitRecord> right(rays.size());
-  for (size_t i = 0; i < rays.size(); ++i) IntersectAll(description, rays[i], &right[i]);
+  const FullSearch search(description);
+  for (size_t i = 0; i < rays.size(); ++i) search.Intersect(rays[i], &right[i]);
 
   for (const BuildOptions& options : AllBuildOptions()) {
     const auto group = MustBuild(description, options);

@@ -12,6 +12,7 @@
 #include "math/elementary.h"
 #include "tests/kernel/group_description.h"
 #include "tests/kernel/trace_lists.h"
+#include "tests/support/effort.h"
 
 namespace candela::test {
 namespace {
@@ -117,11 +118,7 @@ TestMesh Hairball() {
   return hairball;
 }
 
-#ifdef CANDELA_SANITIZED
-constexpr size_t kRays = 10'000;
-#else
-constexpr size_t kRays = 1'000'000;
-#endif
+constexpr size_t kRays = testing_support::kIsSanitized ? 10'000 : 1'000'000;
 
 /// Half of them from a point outside or inside, in bundles; half from anywhere to anywhere.
 std::vector<Ray> RaysThrough(float reach, UniformNumbers* random) {

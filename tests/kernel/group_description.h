@@ -10,8 +10,7 @@
 
 namespace candela::test {
 
-/// What a group is made of, in a form that owns everything, that a group can be built from, and
-/// that can be searched without one.
+/// What a group is made of, in a form that owns everything and that a group can be built from.
 struct GroupDescription {
   struct Instance {
     std::shared_ptr<const GroupDescription> group;
@@ -45,9 +44,5 @@ Result<std::unique_ptr<Group>> Build(const GroupDescription& description,
 
 /// The same, where it has to succeed.
 std::unique_ptr<Group> MustBuild(const GroupDescription& description, const BuildOptions& options);
-
-/// `Group::Intersect` without a tree: looks at everything, in the order of the indices, and
-/// computes each hit as `geometry/triangle.h` and the sets do.
-bool IntersectAll(const GroupDescription& description, const Ray& ray, HitRecord* hit);
 
 }  // namespace candela::test

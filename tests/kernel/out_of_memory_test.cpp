@@ -152,6 +152,10 @@ TEST(OutOfMemory, EachFailingAllocationOfABuildIsToldAndLeavesNothingBehind) {
   const ThreadLimit one_thread(1);  // With more, the threading library allocates as well.
   const GroupDescription description = Everything();
   for (const BuildOptions& options : AllBuildOptions()) {
+    // A tree is built in the same way whatever it will be searched with, except for its width.
+    const bool is_repeated = options.isa != Isa::kScalar && options.width == 8 &&
+                             options.accelerator == AcceleratorKind::kBvh;
+    if (is_repeated) continue;
     auto input = InputOf(description, options);
     ASSERT_TRUE(input.ok());
     for (const bool from_then_on : {false, true}) {

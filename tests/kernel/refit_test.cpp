@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/kernel/full_search.h"
 #include "tests/kernel/random_group.h"
 #include "tests/kernel/sphere_set.h"
 #include "tests/kernel/trace_lists.h"
@@ -49,13 +50,14 @@ class Arrangement {
 
 int CountWrong(const Group& group, const GroupDescription& description,
                const std::vector<Ray>& rays, const std::string& where) {
+  const FullSearch search(description);
   int wrong = 0;
   for (const Entry entry : kEntries) {
     const auto hits = IntersectList(group, entry, rays);
     for (size_t i = 0; i < rays.size(); ++i) {
       HitRecord right;
       right.t = rays[i].t_max;
-      IntersectAll(description, rays[i], &right);
+      search.Intersect(rays[i], &right);
       if (IsSame(hits[i], right) || ++wrong > 1) continue;
       ADD_FAILURE() << where << ", " << ToString(entry) << ": " << ToString(rays[i]) << "\n  found "
                     << ToString(hits[i]) << "\n  right " << ToString(right);

@@ -9,6 +9,7 @@
 #include "materials/material.h"
 #include "math/elementary.h"
 #include "tests/sampling/chi_square.h"
+#include "tests/support/effort.h"
 
 // What tests ask of everything that scatters light.
 
@@ -37,9 +38,10 @@ inline Bsdf BsdfOf(const Material& material, Vec3 n, bool is_outside = true) {
 struct Albedo {
   double mean[3] = {}, error[3] = {};
 };
-inline Albedo AlbedoOf(const Bsdf& bsdf, Vec3 wo, int samples, UniformNumbers* random) {
+inline Albedo AlbedoOf(const Bsdf& bsdf, Vec3 wo, uint32_t usual_samples, UniformNumbers* random) {
+  const uint32_t samples = testing_support::Samples(usual_samples);
   double sum[3] = {}, squares[3] = {};
-  for (int i = 0; i < samples; ++i) {
+  for (uint32_t i = 0; i < samples; ++i) {
     const BsdfSample sample = Sample(bsdf, wo, random->NextPair());
     for (int c = 0; c < 3; ++c) {
       const double share = static_cast<double>(sample.weight[c] * sample.eta * sample.eta);
@@ -78,44 +80,50 @@ struct SphereCell {
   double theta, phi, theta_size, phi_size;
 };
 
-/// The integral of the density over a cell: by midpoints, and where they say something else than
-/// those of its quarters, by its quarters. Peaks may be narrow, above all at flat angles.
-inline double IntegralOfPdf(const Bsdf& bsdf, Vec3 wo, const SphereCell& cell, int depth) {
-  const auto midpoints = [&](const SphereCell& part) {
-    constexpr int kSteps = 4;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-      const double theta = part.theta + part.theta_size * (i + 0.5) / kSteps;
-      for (int j = 0; j < kSteps; ++j) {
-        const double phi = part.phi + part.phi_size * (j + 0.5) / kSteps;
-        const Vec3d wi{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                       std::cos(theta)};
-        sum +=
-            std::sin(theta) * static_cast<double>(Pdf(bsdf, wo, bsdf.frame.ToWorld(ToFloat(wi))));
-      }
+/// The integral of the density over a cell by Gauss's rule of three points each way, which is exact
+/// for polynomials of degree 5.
+inline double GaussOfPdf(const Bsdf& bsdf, Vec3 wo, const SphereCell& cell) {
+  constexpr double kNode = 0.7745966692414834;  // sqrt(3/5)
+  constexpr double kNodes[] = {-kNode, 0, kNode}, kWeights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double theta = cell.theta + cell.theta_size * (1 + kNodes[i]) / 2;
+    const double sin_theta = std::sin(theta), cos_theta = std::cos(theta);
+    for (int j = 0; j < 3; ++j) {
+      const double phi = cell.phi + cell.phi_size * (1 + kNodes[j]) / 2;
+      const Vec3d wi{sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta};
+      sum += kWeights[i] * kWeights[j] * sin_theta *
+             static_cast<double>(Pdf(bsdf, wo, bsdf.frame.ToWorld(ToFloat(wi))));
     }
-    return sum * part.theta_size * part.phi_size / (kSteps * kSteps);
-  };
+  }
+  return sum * cell.theta_size * cell.phi_size;
+}
+
+/// The same by its quarters, and where they say something else than `whole`, which is that of the
+/// cell, by theirs. Peaks may be narrow, above all at flat angles.
+inline double IntegralOfPdf(const Bsdf& bsdf, Vec3 wo, const SphereCell& cell, double whole,
+                            int depth) {
   constexpr int kLeastDepth = 1, kMostDepth = 7;
   const double t = cell.theta_size / 2, p = cell.phi_size / 2;
   const SphereCell quarters[] = {{cell.theta, cell.phi, t, p},
                                  {cell.theta, cell.phi + p, t, p},
                                  {cell.theta + t, cell.phi, t, p},
                                  {cell.theta + t, cell.phi + p, t, p}};
-  double sum = 0;
-  for (const SphereCell& quarter : quarters) sum += midpoints(quarter);
-  const bool is_done = depth >= kLeastDepth && std::abs(sum - midpoints(cell)) < 1e-6;
+  double parts[4], sum = 0;
+  for (int i = 0; i < 4; ++i) sum += parts[i] = GaussOfPdf(bsdf, wo, quarters[i]);
+  const bool is_done = depth >= kLeastDepth && std::abs(sum - whole) < 1e-6;
   if (is_done || depth == kMostDepth) return sum;
   sum = 0;
-  for (const SphereCell& quarter : quarters) sum += IntegralOfPdf(bsdf, wo, quarter, depth + 1);
+  for (int i = 0; i < 4; ++i) sum += IntegralOfPdf(bsdf, wo, quarters[i], parts[i], depth + 1);
   return sum;
 }
 
 /// P1: samples follow the density, in 16 x 32 cells of equal solid angle of the whole sphere. Those
 /// of single directions, and draws that found none, are what the density leaves to 1. Strength: see
 /// chi_square.h.
-inline void ExpectSamplesToFollowTheDensity(const Bsdf& bsdf, Vec3 wo, int samples,
+inline void ExpectSamplesToFollowTheDensity(const Bsdf& bsdf, Vec3 wo, uint32_t usual_samples,
                                             UniformNumbers* random) {
+  const uint32_t samples = testing_support::Samples(usual_samples);
   constexpr size_t kHeights = 16, kSectors = 32;
   std::vector<double> shares;
   double sum = 0;
@@ -124,15 +132,15 @@ inline void ExpectSamplesToFollowTheDensity(const Bsdf& bsdf, Vec3 wo, int sampl
     const double size = std::acos(1 - 2 * static_cast<double>(i + 1) / kHeights) - top;
     for (size_t j = 0; j < kSectors; ++j) {
       const double turn = 2 * kPi / kSectors;
-      shares.push_back(
-          IntegralOfPdf(bsdf, wo, {top, turn * static_cast<double>(j), size, turn}, 0));
+      const SphereCell cell{top, turn * static_cast<double>(j), size, turn};
+      shares.push_back(IntegralOfPdf(bsdf, wo, cell, GaussOfPdf(bsdf, wo, cell), 0));
       sum += shares.back();
     }
   }
 
   std::vector<uint64_t> counts(shares.size());
   uint64_t others = 0;
-  for (int i = 0; i < samples; ++i) {
+  for (uint32_t i = 0; i < samples; ++i) {
     const BsdfSample sample = Sample(bsdf, wo, random->NextPair());
     if (sample.pdf == 0 || sample.is_delta) {
       ++others;
@@ -151,7 +159,7 @@ inline void ExpectSamplesToFollowTheDensity(const Bsdf& bsdf, Vec3 wo, int sampl
   const double rest = static_cast<double>(others) / samples;
   const double error = std::sqrt(rest * (1 - rest) / samples);
   EXPECT_NEAR(sum, 1 - rest, 1e-3 + kLargestDeviate * error) << "the integral of the density";
-  if (others == static_cast<uint64_t>(samples)) return;
+  if (others == samples) return;
   for (double& share : shares) share /= sum;
   EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate);
 }

@@ -8,6 +8,7 @@
 
 #include "integrators/integrator.h"
 #include "tests/sampling/chi_square.h"
+#include "tests/support/effort.h"
 
 namespace candela::testing_support {
 
@@ -18,11 +19,13 @@ struct Estimate {
 };
 
 /// The mean of the red radiance that `integrator` sees through image points; `point(i)` is that of
-/// sample i. The samples of a pixel are spread evenly and depend on each other, so the error is
-/// taken from many pixels that all look through the same points.
+/// sample i, of so many as `Samples` makes of them. The samples of a pixel are spread evenly and
+/// depend on each other, so the error is taken from many pixels that all look through the same
+/// points.
 template <class Point>
 Estimate EstimateMean(const Integrator& integrator, Point point, uint32_t pixels,
-                      uint32_t samples) {
+                      uint32_t usual_samples) {
+  const uint32_t samples = Samples(usual_samples);
   const auto workspace = integrator.MakeWorkspace();
   std::vector<SampleRequest> requests(samples);
   std::vector<Spectrum> radiance(samples);
@@ -52,7 +55,7 @@ inline Estimate EstimateRadiance(const Integrator& integrator, Vec2 image_point,
 inline void ExpectEstimate(const Estimate& estimate, double expected) {
   EXPECT_LE(std::abs(estimate.mean - expected),
             test::kLargestDeviate * estimate.error + 1e-6 * std::abs(expected));
-  EXPECT_LE(estimate.error, 1e-3 * std::abs(expected));
+  EXPECT_LE(estimate.error, LargestError(1e-3) * std::abs(expected));
 }
 
 }  // namespace candela::testing_support

@@ -82,6 +82,7 @@ struct SceneRow {
   bool is_under_a_rectangle;  ///< Whose light comes directly: with one bounce.
   std::string text;
   uint32_t pixels = kPixels;
+  double shallowest = kAny;  ///< Where that is more than its sampler says.
 };
 
 /// A floor z = 0 of the given material under lamps; the camera looks at the origin.
@@ -136,7 +137,7 @@ std::vector<SceneRow> Scenes() {
       {"OutOfFocus", 2, false,
        Floor(diffuse, rectangle + Thing("sphere radius 0.3", "translate 0 -0.2 0.2"),
              "aperture 0.3 focus_distance 2"),
-       8 * kPixels},  // By rays alone little better than -0.5.
+       2 * kPixels, -0.48},  // What depends on lens and light gains nothing: -0.5, by 4.7 errors.
   };
   scenes.insert(scenes.end(), more.begin(), more.end());
   return scenes;
@@ -185,8 +186,9 @@ TEST_P(NoiseOf, FallsWithTheSamplesAsItsSamplerPromises) {
     const double slope = SlopeOfNoise(*path, {0.02f, 0.03f}, scene_row.pixels);
     RecordProperty(row.name, fmt::format("{:.3f}", slope));
     EXPECT_GE(slope, row.steepest) << row.name;
-    EXPECT_LE(slope, scene_row.is_under_a_rectangle ? row.under_a_rectangle : row.shallowest)
-        << row.name;
+    const double shallowest =
+        scene_row.is_under_a_rectangle ? row.under_a_rectangle : row.shallowest;
+    EXPECT_LE(slope, std::max(shallowest, scene_row.shallowest)) << row.name;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "tests/kernel/random_group.h"
 #include "tests/kernel/sphere_set.h"
 #include "tests/kernel/trace_lists.h"
+#include "tests/support/effort.h"
 
 namespace {
 
@@ -105,7 +106,7 @@ namespace {
 GroupDescription Everything() {
   UniformNumbers random(1);
   GroupDescription group;
-  group.Add(Globe(12, 16));
+  group.Add(Globe(testing_support::kIsSanitized ? 6 : 12, 16));
   group.Add(InMotion(Globe(6, 8), 3, 0.2f, &random));
   group.Add(Slivers(50, 0.01f, &random));
   std::vector<SphereSet::Sphere> spheres;

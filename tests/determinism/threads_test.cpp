@@ -7,6 +7,7 @@
 #include "driver/map_images.h"
 #include "render/render_first_hits.h"
 #include "tests/determinism/test_cases.h"
+#include "tests/support/effort.h"
 #include "tests/support/meeting.h"
 #include "tests/support/render_scene.h"
 
@@ -18,7 +19,8 @@ using testing_support::RenderImage;
 using testing_support::WholePicture;
 
 // Sides that no tile size divides.
-constexpr int kWidth = 61, kHeight = 47;
+constexpr int kWidth = testing_support::kIsSanitized ? 31 : 61;
+constexpr int kHeight = testing_support::kIsSanitized ? 23 : 47;
 
 Image RenderWith(int threads, uint32_t tile_size, const Integrator& integrator,
                  RenderOptions options) {

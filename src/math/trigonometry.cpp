@@ -174,10 +174,6 @@ SineAndCosine SinCos(float x) {
   return FastSinCosOf(x);
 }
 
-SineAndCosine SinCosOfEighthTurn(float x) {
-  return FastSinCosOfRest(x);
-}
-
 float Sin(float x) {
   if (std::abs(x) < kTiny) return x;
   return static_cast<float>(FastSinCosOf(x).sin);

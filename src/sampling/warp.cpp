@@ -1,7 +1,9 @@
 #include "sampling/warp.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace candela {
 namespace {
@@ -12,6 +14,14 @@ constexpr auto kTwoPi = static_cast<float>(2 * kPi);
 Vec3 FromHeightAndTurn(float z, float radius, float turn) {
   const auto [sine, cosine] = SinCos(kTwoPi * turn);
   return {radius * static_cast<float>(cosine), radius * static_cast<float>(sine), z};
+}
+
+/// The pair, in the other order unless `is_in_order`. Written so that no processor has to guess: it
+/// would be wrong every other time.
+Vec2 SwapUnless(bool is_in_order, float first, float second) {
+  const auto a = std::bit_cast<uint32_t>(first), b = std::bit_cast<uint32_t>(second);
+  const uint32_t difference = (a ^ b) & (uint32_t{is_in_order} - 1);
+  return {std::bit_cast<float>(a ^ difference), std::bit_cast<float>(b ^ difference)};
 }
 
 /// The azimuth as a part of a full turn, in [0, 1).
@@ -25,16 +35,15 @@ float TurnOf(Vec3 direction) {
 Vec2 SampleDisk(Vec2 u) {
   const float x = 2 * u.x - 1;
   const float y = 2 * u.y - 1;
-  if (x == 0 && y == 0) return {0, 0};
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
-  // other coordinate runs along the arc. Written so that no processor has to guess which.
-  const bool is_beside = std::abs(x) > std::abs(y);
-  const float radius = is_beside ? x : y;
-  const float arc = is_beside ? y : x;
-  const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * (arc / radius));
-  const float along = radius * static_cast<float>(cosine);
-  const float across = radius * static_cast<float>(sine);
-  return {is_beside ? along : across, is_beside ? across : along};
+  // smaller one runs along the arc.
+  const float radius = std::max(std::abs(x), std::abs(y));
+  if (radius == 0) return {0, 0};
+  const float arc = std::min(std::abs(x), std::abs(y)) / radius;
+  const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * arc);
+  const auto [larger, smaller] =
+      SwapUnless(std::abs(x) > std::abs(y), radius * cosine, radius * sine);
+  return {std::copysign(larger, x), std::copysign(smaller, y)};
 }
 
 Vec2 InvertDisk(Vec2 p) {

@@ -1,11 +1,11 @@
 #include "film/layers.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 
 #include "film/pixel_estimate.h"
 #include "math/exact_sum.h"
+#include "math/float4.h"
 
 namespace candela {
 namespace {
@@ -17,6 +17,12 @@ constexpr float kDepthOfNothing = 1e10f;
 /// The mean light of the pixel that was scattered so often.
 Rgb MeanLight(const PixelEstimate& pixel, size_t times_scattered) {
   return pixel.Mean([=](const PixelPart& part) { return part.layers->Light(times_scattered); });
+}
+
+Float4 UsableInLayers(Float4 any) {
+  const Float4 largest = Broadcast(ExactSum::kLargestTerm);
+  const Float4 limited = Min(Max(any, -largest), largest);
+  return any == any ? limited : Float4{};
 }
 
 void Put(Vec3 value, uint32_t* words) {
@@ -83,11 +89,7 @@ constexpr LayerEntry kLayers[] = {
 }  // namespace
 
 Vec3d UsableInLayers(Rgb value) {
-  const auto usable = [](float x) {
-    const float limited = std::clamp(x, -ExactSum::kLargestTerm, ExactSum::kLargestTerm);
-    return double{limited == limited ? limited : 0};
-  };
-  return {usable(value.x), usable(value.y), usable(value.z)};
+  return ToDouble(ToVec3(UsableInLayers(ToFloat4(value))));
 }
 
 std::span<const LayerEntry, kLayerCount> Layers() {
@@ -110,8 +112,12 @@ bool PixelLayers::IsNearerThan(const PixelLayers& other) const {
 }
 
 void PixelLayers::Add(const SampleLayers& sample, float weight) {
-  albedo_ += UsableInLayers(sample.albedo * weight);
-  for (size_t i = 0; i < light_.size(); ++i) light_[i] += UsableInLayers(sample.light[i] * weight);
+  const SampleColours& colours = sample;
+  const auto fours = std::bit_cast<std::array<Float4, 3>>(colours);
+  for (size_t i = 0; i < fours.size(); ++i) {
+    const Float4 usable = UsableInLayers(fours[i] * weight);
+    for (size_t k = 0; k < 4; ++k) sums_[4 * i + k] += double{usable[k]};
+  }
 }
 
 }  // namespace candela

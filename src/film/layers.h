@@ -69,14 +69,17 @@ class PixelLayers {
 
   const SampleLayers::Surface& Surface() const { return surface_; }
   // Weighted sums.
-  Vec3d Albedo() const { return albedo_; }
+  Vec3d Albedo() const { return SumOf(0); }
   /// See `SampleLayers::light`. The three parts add up to the colour of the pixel, but for
   /// rounding.
-  Vec3d Light(size_t times_scattered) const { return light_[times_scattered]; }
+  Vec3d Light(size_t times_scattered) const { return SumOf(1 + times_scattered); }
 
  private:
-  Vec3d albedo_;
-  std::array<Vec3d, 3> light_;
+  Vec3d SumOf(size_t colour) const {
+    return {sums_[3 * colour], sums_[3 * colour + 1], sums_[3 * colour + 2]};
+  }
+
+  std::array<double, sizeof(SampleColours) / sizeof(float)> sums_{};  ///< Of its numbers.
   SampleLayers::Surface surface_;
   float distance_ = 0;  ///< Of the nearest sample, if there is one.
   uint32_t index_ = 0;

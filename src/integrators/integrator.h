@@ -19,7 +19,7 @@ struct SampleRequest {
   /// random numbers of their own.
   uint32_t x = 0, y = 0;
   uint32_t index = 0;  ///< The number of the sample in the pixel.
-  Vec2 image_point;    ///< Where it goes through the camera's image plane,
+  Vec2 image_point{};  ///< Where it goes through the camera's image plane,
   float spacing = 0;   ///< and how far from each other pixels are there; 0 when unknown.
 };
 
@@ -69,10 +69,18 @@ struct SampleOutput {
             group_count};
   }
 
+  /// Begins with layers of a sample that has seen nothing yet, if there are any. Surfaces that
+  /// nobody asks for are left as they are.
+  void ClearLayers(size_t sample) const {
+    if (!HasLayers()) return;
+    static_cast<SampleColours&>(layers[sample]) = {};
+    if (WantsSurface(sample)) layers[sample].surface = {};
+  }
+
   /// Begins with a sample that has seen nothing yet.
   void Clear(size_t sample) const {
     radiance[sample] = Spectrum();
-    if (HasLayers()) layers[sample] = SampleLayers();
+    ClearLayers(sample);
     for (Rgb& light : group_light.subspan(group_count * sample, group_count)) light = Rgb();
   }
 

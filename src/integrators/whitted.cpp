@@ -100,7 +100,7 @@ void WhittedIntegrator::Follow(std::span<const SampleRequest> samples, Batch* ba
   }
   size_t started = 0;
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    if (output.HasLayers()) output.layers[i] = SampleLayers();
+    output.ClearLayers(i);
     if (!all_see && paths.rays()[i].direction == Vec3()) {
       output.radiance[i] = Spectrum();
       continue;

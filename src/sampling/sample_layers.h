@@ -8,9 +8,22 @@
 
 namespace candela {
 
+/// What every sample adds to layers.
+struct SampleColours {
+  Rgb albedo;  ///< The part of white light that the first surface reflects or lets through, about.
+
+  /// The radiance by how often surfaces have scattered it: never (lamps and the sky as the camera
+  /// sees them), once, and more often.
+  std::array<Rgb, 3> light;
+
+  void AddLight(uint32_t times_scattered, Rgb radiance) {
+    light[times_scattered < 2 ? times_scattered : 2] += radiance;
+  }
+};
+
 /// What is recorded of one sample beside its radiance, for the layers of a picture. Lies here since
 /// integrators write it and the film reads it.
-struct SampleLayers {
+struct SampleLayers : SampleColours {
   /// The surface that the camera's ray meets first; where it meets none the numbers are 0.
   struct Surface {
     uint32_t object = 0, material = 0;  ///< One more than their indices in the scene.
@@ -22,15 +35,6 @@ struct SampleLayers {
     friend bool operator==(const Surface&, const Surface&) = default;
   };
   Surface surface;
-  Rgb albedo;  ///< The part of white light that this surface reflects or lets through, about.
-
-  /// The radiance by how often surfaces have scattered it: never (lamps and the sky as the camera
-  /// sees them), once, and more often.
-  std::array<Rgb, 3> light;
-
-  void AddLight(uint32_t times_scattered, Rgb radiance) {
-    light[times_scattered < 2 ? times_scattered : 2] += radiance;
-  }
 };
 
 }  // namespace candela

@@ -144,9 +144,10 @@ void RenderCommand::AddOptions() {
                  "threads to use (default one per processor); changes nothing in the picture");
   parser_.Option("accelerator", {Choice("NAME", &request_.accelerator, AcceleratorNames())},
                  AcceleratorSummaries(), {.block = "Render"});
-  parser_.Option("isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
-                 "instruction set of the search for hits: scalar, avx2 or avx512 (default the best "
-                 "that the processor knows); changes nothing in the picture");
+  parser_.Option(
+      "isa", {Choice("SET", &isa_, {"scalar", "avx2", "avx512"})},
+      "instruction set of the search for hits and of random numbers: scalar, avx2 or "
+      "avx512 (default the best that the processor knows); changes nothing in the picture");
   parser_.Option("checkpoint", {File("FILE", &request_.checkpoint)},
                  "keep what was rendered, at the end, when stopped, and now and then, and go on "
                  "from there when the file exists: as far as --samples says");

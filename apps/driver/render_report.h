@@ -27,7 +27,7 @@ struct RenderStatistics {
   double samples_per_pixel = 0;  ///< In the mean, of the picture.
   int threads = 0;
   std::string accelerator;  ///< What finds the hits,
-  std::string isa;          ///< and the instruction set of the search.
+  std::string isa;          ///< and the instruction set.
   Phases seconds;
   RayCounts rays;
   uint64_t dropped_samples = 0;  ///< NaN, infinite or negative ones.

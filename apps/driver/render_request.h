@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "base/isa.h"
 #include "driver/lens_effects.h"
 #include "driver/load_scene.h"
 #include "image/tone_curve.h"
 #include "integrators/registry.h"
-#include "kernel/isa.h"
 #include "render/render_options.h"
 
 namespace candela {

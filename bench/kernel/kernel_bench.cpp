@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/isa.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "driver/arg_parser.h"
 #include "driver/console.h"
 #include "driver/picture_files.h"
-#include "kernel/isa.h"
 #include "measure.h"
 #include "meshes.h"
 #include "report.h"

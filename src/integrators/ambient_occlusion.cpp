@@ -15,7 +15,7 @@ namespace candela {
 struct AmbientOcclusionIntegrator::Batch final : Workspace {
   struct State {
     uint32_t sample = 0;
-    Sampler sampler{0, 0, 0, 0};
+    Sampler sampler;
   };
 
   PathQueue<State> paths;

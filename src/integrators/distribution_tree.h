@@ -32,7 +32,7 @@ struct DistributionIntegrator::TreeRay {
   Rgb absorption{};          ///< which does this to it.
   float time = 0;            ///< Of all rays of the tree.
   Rgb throughput{1, 1, 1};
-  Sampler sampler{0, 0, 0, 0};
+  Sampler sampler;
 };
 
 /// What is to be known of the surface that a ray has met, and the light there so far.

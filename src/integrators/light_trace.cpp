@@ -91,7 +91,7 @@ PathVertex SeenFrom(const PathVertex& vertex, Vec3 wo) {
 
 /// A path on its way from a light.
 struct LightTraceIntegrator::Path {
-  Sampler sampler{0, 0, 0, 0};
+  Sampler sampler;
   Spectrum flux;                      ///< What the light has sent out,
   Spectrum throughput = Spectrum(1);  ///< and the part of its power that is left.
   MediumStack media;                  ///< What it is in.

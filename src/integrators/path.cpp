@@ -6,6 +6,7 @@
 
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
+#include "integrators/bounce_numbers.h"
 #include "integrators/path_queue.h"
 #include "integrators/path_vertex.h"
 #include "integrators/record_surface.h"
@@ -34,6 +35,8 @@ struct PathIntegrator::Batch final : Workspace {
 
   PathQueue<uint32_t> paths;      ///< By the number of their sample,
   std::vector<PathState> states;  ///< by which these are found: they stay where they are.
+  std::vector<Sampler> samplers;  ///< Of each path in the queue,
+  BounceNumbersOfMany numbers;    ///< and what they give for the bounce it is at.
   std::vector<Vec2> image_points;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
@@ -90,6 +93,7 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     camera.GenerateRays(image_points, paths.rays().data());
   }
   size_t started = 0;
+  batch->samplers.clear();
   for (uint32_t i = 0; i < samples.size(); ++i) {
     const SampleRequest& request = samples[i];
     paths.states()[i] = i;
@@ -97,20 +101,21 @@ void PathIntegrator::Follow(std::span<const SampleRequest> samples, Batch* batch
     path = first;
     path.sample = i;
     path.cone = {request.spacing * footprint.width, request.spacing * footprint.spread};
-    path.sampler = Sampler(seed_, request.x, request.y, request.index, sampler_);
+    const Sampler sampler(seed_, request.x, request.y, request.index, sampler_);
     Ray& ray = paths.rays()[i];
     if (is_moving) {
       std::optional<Vec2> u;
-      if (!is_pinhole) u = path.sampler.Get2D(kLensDimension);
-      ray = CameraRayAt(scene_, times_.Draw(path.sampler), request.image_point, u);
+      if (!is_pinhole) u = sampler.Get2D(kLensDimension);
+      ray = CameraRayAt(scene_, times_.Draw(sampler), request.image_point, u);
     } else if (!is_pinhole) {
-      ray = camera.GenerateRay(request.image_point, path.sampler.Get2D(kLensDimension));
+      ray = camera.GenerateRay(request.image_point, sampler.Get2D(kLensDimension));
     }
-    if (scene_.HasDispersion()) path.colour.Draw(path.sampler);
+    if (scene_.HasDispersion()) path.colour.Draw(sampler);
     output.Clear(i);
     if (ray.direction == Vec3()) continue;
     if (!starts_in_one_place_) path.media = MediaAround(scene_, ray.origin, ray.time);
     paths.MoveTo(started++, i);
+    batch->samplers.push_back(sampler);
   }
   paths.Resize(started);
   batch->rays.camera += started;
@@ -128,7 +133,17 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
   batch->contributions.clear();
   batch->shadow_rays.clear();
   PathQueue<uint32_t>& paths = batch->paths;
+  const bool samples_lights = lights_.CanSample();
+  batch->numbers.Draw({batch->samplers.data(), paths.size()}, step,
+                      {.light_point = samples_lights,
+                       .light_choice = samples_lights && lights_.HasChoice(),
+                       .roulette = has_roulette_ && step >= kRouletteAfter});
   size_t left = 0;
+  const auto keep = [&](size_t i) {
+    paths.states()[left] = paths.states()[i];
+    batch->samplers[left] = batch->samplers[i];
+    ++left;
+  };
   for (size_t i = 0; i < paths.size(); ++i) {
     const Ray& ray = paths.rays()[i];
     const HitRecord& hit = paths.hits()[i];
@@ -159,9 +174,8 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
         !FindMedia(scene_.interiors(), object.interior, path.media, &batch->rays, &vertex)) {
       path.media = vertex.media_beyond;
       path.pdf = 0;  // Rays to sampled lights do not pass: a body has no holes.
-      paths.states()[left] = path.sample;
       paths.rays()[left] = PassOn(vertex);
-      ++left;
+      keep(i);
       continue;
     }
     vertex.material = &scene_.material(hit);
@@ -183,23 +197,23 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
     if (has_lift_ && vertex.point.n_shading != vertex.point.n_geometric) Lift(hit, &vertex);
     // Not by bounces: what is seen through a hole no light path brings.
     const bool is_left_out = beyond_light_paths_ && step == 0;
-    if (!is_last && lights_.CanSample() && vertex.bsdf.HasSmoothPart() && !is_left_out) {
-      SampleLight(path, step, vertex, batch);
+    const BounceNumbers numbers = batch->numbers[i];
+    if (!is_last && samples_lights && vertex.bsdf.HasSmoothPart() && !is_left_out) {
+      SampleLight(path, numbers, vertex, batch);
     }
     // This may be where `ray` is, which has served.
-    if (!Scatter(step, vertex, &path, &paths.rays()[left])) continue;
-    paths.states()[left] = path.sample;
-    ++left;
+    if (Scatter(step, numbers, vertex, &path, &paths.rays()[left])) keep(i);
   }
   paths.Resize(left);
   batch->rays.reflection += left;
 }
 
-void PathIntegrator::SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
-                                 Batch* batch) const {
+void PathIntegrator::SampleLight(const PathState& path, const BounceNumbers& numbers,
+                                 const PathVertex& vertex, Batch* batch) const {
   const Vec3 wo = vertex.wo;
   const Bsdf& bsdf = vertex.bsdf;
-  const PathLights::Draw draw = lights_.Sample(path, BounceDimension(step), vertex.AsReceiver());
+  const PathLights::Draw draw =
+      lights_.Sample(vertex.AsReceiver(), numbers.light_choice, numbers.light_point);
   const LightSample& sample = draw.sample;
   if (sample.pdf == 0 || sample.radiance.IsBlack()) return;
 
@@ -250,11 +264,9 @@ void PathIntegrator::Lift(const HitRecord& hit, PathVertex* vertex) const {
   vertex->is_lifted = true;
 }
 
-bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState* path,
-                             Ray* ray) const {
-  const uint32_t dimension = BounceDimension(step);
-  const BsdfSample next =
-      Sample(vertex.bsdf, vertex.wo, path->sampler.Get2D(dimension + kDirection));
+bool PathIntegrator::Scatter(uint32_t step, const BounceNumbers& numbers, const PathVertex& vertex,
+                             PathState* path, Ray* ray) const {
+  const BsdfSample next = Sample(vertex.bsdf, vertex.wo, numbers.direction);
   if (next.pdf == 0) return false;
   if (next.is_hole) {
     // No event: what is known of the last surface and its ray goes on to be true.
@@ -277,7 +289,7 @@ bool PathIntegrator::Scatter(uint32_t step, const PathVertex& vertex, PathState*
     const float share = path->throughput.MaxComponent() * path->eta_squared;
     const float most = path->bounces.all < kUncertainAfter ? 1 : 0.95f;
     const float survival = std::min(most, kSurvivalOfShare * share);
-    if (path->sampler.Get1D(dimension + kRoulette) >= survival) return false;
+    if (numbers.roulette >= survival) return false;
     path->throughput *= Spectrum(1 / survival);
   }
   path->bounces.Add(kind);

@@ -16,6 +16,7 @@
 
 namespace candela {
 
+struct BounceNumbers;
 struct IntegratorOptions;
 struct PathVertex;
 
@@ -47,12 +48,13 @@ class PathIntegrator final : public Integrator {
   void Shade(uint32_t step, Batch* batch, const SampleOutput& output) const;
   void AddSampledLight(Batch* batch, const SampleOutput& output) const;
 
-  void SampleLight(const PathState& path, uint32_t step, const PathVertex& vertex,
+  void SampleLight(const PathState& path, const BounceNumbers& numbers, const PathVertex& vertex,
                    Batch* batch) const;
   /// Moves the point of a rounded mesh to where the round surface would be.
   void Lift(const HitRecord& hit, PathVertex* vertex) const;
   /// Whether the path goes on, and where.
-  bool Scatter(uint32_t step, const PathVertex& vertex, PathState* path, Ray* ray) const;
+  bool Scatter(uint32_t step, const BounceNumbers& numbers, const PathVertex& vertex,
+               PathState* path, Ray* ray) const;
 
   const Scene& scene_;
   PathLights lights_;

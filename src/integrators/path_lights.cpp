@@ -58,15 +58,12 @@ PathLights::PathLights(const Scene& scene, const PathTechniques& techniques)
   }
 }
 
-PathLights::Draw PathLights::Sample(const PathState& path, uint32_t dimension,
-                                    const Receiver& to) const {
-  const float u = picker_.NeedsNumber() ? path.sampler.Get1D(dimension + kLightChoice) : 0;
-  const auto [index, choice] = picker_.Choose(to, u);
+PathLights::Draw PathLights::Sample(const Receiver& to, float u_choice, Vec2 u_point) const {
+  const auto [index, choice] = picker_.Choose(to, u_choice);
   const Light& light = *lights_[index];
   const uint32_t group =
       index < scene_.lights().size() ? scene_.GroupOfLight(index) : scene_.GroupOfBackground();
-  return {light.SampleIncident(to.p, path.sampler.Get2D(dimension + kLightPoint)), choice, group,
-          light.Kind() != LightKind::kPoint};
+  return {light.SampleIncident(to.p, u_point), choice, group, light.Kind() != LightKind::kPoint};
 }
 
 Spectrum PathLights::FromBackground(const PathState& path, Vec3 direction) const {

@@ -40,8 +40,10 @@ class PathLights {
     /// The density of light and direction, over solid angle.
     float Pdf() const { return choice * sample.pdf; }
   };
+  /// Whether the choice of a light takes a number.
+  bool HasChoice() const { return picker_.NeedsNumber(); }
   /// Nothing was drawn when the density of the sample is 0.
-  Draw Sample(const PathState& path, uint32_t dimension, const Receiver& to) const;
+  Draw Sample(const Receiver& to, float u_choice, Vec2 u_point) const;
 
   /// The part that falls to a technique of density `pdf` when another has `other_pdf`.
   float Weight(float pdf, float other_pdf) const;

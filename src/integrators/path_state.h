@@ -8,7 +8,6 @@
 #include "integrators/ray_cone.h"
 #include "lights/receiver.h"
 #include "math/spectrum.h"
-#include "sampling/sampler.h"
 
 namespace candela {
 
@@ -26,7 +25,6 @@ enum BounceUse : uint32_t {
 /// A sample on its way.
 struct PathState {
   uint32_t sample = 0;  ///< Its place in the list.
-  Sampler sampler{0, 0, 0, 0};
   Spectrum throughput = Spectrum(1);
   MediumStack media;  ///< What it is in.
   PathColour colour;

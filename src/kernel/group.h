@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/cancel_token.h"
+#include "base/isa.h"
 #include "base/result.h"
 #include "geometry/bounds3.h"
 #include "geometry/hit_record.h"
@@ -13,7 +14,6 @@
 #include "kernel/accelerator_kind.h"
 #include "kernel/group_data.h"
 #include "kernel/group_input.h"
-#include "kernel/isa.h"
 
 namespace candela {
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
+#include "base/isa.h"
 #include "geometry/bounds3.h"
 #include "geometry/ray.h"
 #include "kernel/accelerator_kind.h"
 #include "kernel/arena.h"
-#include "kernel/isa.h"
 #include "kernel/primitive_set.h"
 #include "kernel/record.h"
 #include "math/moving_transform.h"

@@ -1,5 +1,7 @@
 #include "render/sample_placer.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/check.h"
@@ -26,9 +28,32 @@ SamplePlacer::SamplePlacer(const RenderOptions& options)
   filter_.emplace(*entry);
 }
 
-FilterSample SamplePlacer::PositionInPixel(int x, uint32_t row, uint32_t index) const {
-  const Sampler sampler(seed_, static_cast<uint32_t>(x), row, index, sampler_);
-  const Vec2 u = sampler.Get2D(kFilmDimension);
+void SamplePlacer::Place(std::span<SampleRequest> requests, std::span<FilterSample> places) const {
+  constexpr size_t kTogether = 64;
+  std::array<Sampler, kTogether> samplers;
+  std::array<Vec2, kTogether> u;
+  for (size_t begin = 0; begin < requests.size(); begin += kTogether) {
+    const size_t count = std::min(kTogether, requests.size() - begin);
+    if (pattern_ != SamplePattern::kCentre) {
+      for (size_t i = 0; i < count; ++i) {
+        const SampleRequest& request = requests[begin + i];
+        samplers[i] = Sampler(seed_, request.x, request.y, request.index, sampler_);
+      }
+      Sampler::Get2D({samplers.data(), count}, kFilmDimension, {u.data(), count});
+    }
+    for (size_t i = 0; i < count; ++i) {
+      SampleRequest& request = requests[begin + i];
+      FilterSample& place = places[begin + i];
+      place = pattern_ == SamplePattern::kCentre ? FilterSample()
+                                                 : PositionInPixel(request.index, u[i]);
+      request.image_point =
+          plane_.PointOf(static_cast<int>(request.x), RowOf(request), place.offset);
+      request.spacing = plane_.Spacing();
+    }
+  }
+}
+
+FilterSample SamplePlacer::PositionInPixel(uint32_t index, Vec2 u) const {
   if (pattern_ == SamplePattern::kFilter) return filter_->Sample(u);
 
   const Vec2 stratum{static_cast<float>(index % kStrataPerSide),

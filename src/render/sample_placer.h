@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "cameras/image_plane.h"
 #include "film/pixel_filter.h"
@@ -17,24 +18,15 @@ class SamplePlacer {
  public:
   explicit SamplePlacer(const RenderOptions& options);
 
-  struct Place {
-    float weight;
-    float off_centre;  ///< The square of its distance from the middle of the pixel.
-  };
-  /// Makes the request for a sample. Series 1 has random numbers that know nothing of those of
-  /// series 0: they are those of a pixel that no picture has.
-  Place Request(int x, int y, uint32_t index, uint32_t series, SampleRequest* request) const {
-    const uint32_t row = static_cast<uint32_t>(y) | series << kSeriesBit;
-    const FilterSample position =
-        pattern_ == SamplePattern::kCentre ? FilterSample() : PositionInPixel(x, row, index);
-    request->x = static_cast<uint32_t>(x);
-    request->y = row;
-    request->index = index;
-    request->image_point = plane_.PointOf(x, y, position.offset);
-    request->spacing = plane_.Spacing();
-    return {position.weight,
-            position.offset.x * position.offset.x + position.offset.y * position.offset.y};
+  /// The request for a sample that has no place in its pixel yet. Series 1 has random numbers that
+  /// know nothing of those of series 0: they are those of a pixel that no picture has.
+  static SampleRequest Request(int x, int y, uint32_t index, uint32_t series) {
+    return {static_cast<uint32_t>(x), static_cast<uint32_t>(y) | series << kSeriesBit, index};
   }
+
+  /// Gives each of the samples its place: entry i of each list belongs to the same sample. Offsets
+  /// are from the middle of the pixel, in pixels.
+  void Place(std::span<SampleRequest> requests, std::span<FilterSample> places) const;
 
   /// The row of the picture to which a sample belongs, of whatever series.
   static int RowOf(const SampleRequest& request) {
@@ -47,7 +39,7 @@ class SamplePlacer {
  private:
   static constexpr uint32_t kSeriesBit = 31;
 
-  FilterSample PositionInPixel(int x, uint32_t row, uint32_t index) const;
+  FilterSample PositionInPixel(uint32_t index, Vec2 u) const;
 
   ImagePlane plane_;
   SamplePattern pattern_;

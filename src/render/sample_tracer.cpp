@@ -52,13 +52,7 @@ bool SampleTracer::TraceWindow(const PixelWindow& window, SampleRange range, Fil
   bool is_cancelled = false;
   ForEachPixel(window, [&](int x, int y) {
     for (uint32_t index = range.begin; index < range.end; ++index) {
-      const SamplePlacer::Place place =
-          placer_.Request(x, y, index, range.series, &requests_.emplace_back());
-      weights_.push_back(place.weight);
-      if (has_layers_) {
-        const bool is_nearest = tile->LayersAt(x, y).IsNearest(place.off_centre, index);
-        wants_surface_.push_back(is_nearest ? 1 : 0);
-      }
+      requests_.push_back(SamplePlacer::Request(x, y, index, range.series));
       if (requests_.size() < kBatch) continue;
       // Asked here, since a tile of many samples per pixel takes minutes.
       is_cancelled = cancel_.IsCancelled();
@@ -69,8 +63,6 @@ bool SampleTracer::TraceWindow(const PixelWindow& window, SampleRange range, Fil
   });
   if (is_cancelled) {
     requests_.clear();
-    weights_.clear();
-    wants_surface_.clear();
     return false;
   }
   TraceBatch(tile, take);
@@ -81,6 +73,9 @@ bool SampleTracer::TraceWindow(const PixelWindow& window, SampleRange range, Fil
 
 template <class Take>
 void SampleTracer::TraceBatch(FilmTile* tile, Take take) {
+  places_.resize(requests_.size());
+  placer_.Place(requests_, places_);
+  if (has_layers_) FindNearest(tile);
   const uint64_t rays_before = workspace_->rays.Total();
   radiance_.resize(requests_.size());
   if (has_layers_) layers_.resize(requests_.size());
@@ -89,10 +84,19 @@ void SampleTracer::TraceBatch(FilmTile* tile, Take take) {
                     {radiance_, layers_, options_.layers.Has(Layer::kUv), wants_surface_,
                      group_light_, group_count_});
   for (size_t i = 0; i < requests_.size(); ++i) TakeSample(i, tile, take);
-  wants_surface_.clear();
   counters_.Add(requests_.size(), workspace_->rays.Total() - rays_before);
   requests_.clear();
-  weights_.clear();
+}
+
+void SampleTracer::FindNearest(FilmTile* tile) {
+  wants_surface_.clear();
+  for (size_t i = 0; i < requests_.size(); ++i) {
+    const SampleRequest& request = requests_[i];
+    const Vec2 offset = places_[i].offset;
+    PixelLayers& layers = tile->LayersAt(static_cast<int>(request.x), SamplePlacer::RowOf(request));
+    const float off_centre = offset.x * offset.x + offset.y * offset.y;
+    wants_surface_.push_back(layers.IsNearest(off_centre, request.index) ? 1 : 0);
+  }
 }
 
 template <class Take>
@@ -102,19 +106,20 @@ void SampleTracer::TakeSample(size_t i, FilmTile* tile, Take take) {
   if (has_layers_ && wants_surface_[i]) tile->LayersAt(x, y).SetSurface(layers_[i].surface);
   const Rgb radiance = radiance_[i].ToRgb();
   const float factor = clamp_.IsOn() ? clamp_.Factor(radiance) : 1;
-  if (!take(x, y, radiance * factor, weights_[i])) {
+  const float weight = places_[i].weight;
+  if (!take(x, y, radiance * factor, weight)) {
     dropped_of_window_.Add({x, y, requests_[i].index, radiance});
     return;
   }
-  if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, weights_[i], &lost_of_window_);
+  if (clamp_.IsOn()) SampleClamp::Count(radiance, factor, weight, &lost_of_window_);
   if (!has_layers_) return;
   const auto groups = std::span(group_light_).subspan(group_count_ * i, group_count_);
   if (factor < 1) {
     for (Rgb& light : layers_[i].light) light *= factor;
     for (Rgb& light : groups) light *= factor;
   }
-  tile->AddLayers(x, y, layers_[i], weights_[i]);
-  if (!groups.empty()) tile->AddLightGroups(x, y, groups, weights_[i]);
+  tile->AddLayers(x, y, layers_[i], weight);
+  if (!groups.empty()) tile->AddLightGroups(x, y, groups, weight);
 }
 
 }  // namespace candela

@@ -58,6 +58,8 @@ class SampleTracer {
   bool TraceWindow(const PixelWindow& window, SampleRange range, FilmTile* tile, Take take);
   template <class Take>
   void TraceBatch(FilmTile* tile, Take take);
+  /// Which samples are to tell of their surface.
+  void FindNearest(FilmTile* tile);
   template <class Take>
   void TakeSample(size_t i, FilmTile* tile, Take take);
 
@@ -71,7 +73,7 @@ class SampleTracer {
   const size_t group_count_;  ///< Of groups of lights that have layers.
   std::unique_ptr<Workspace> workspace_;
   std::vector<SampleRequest> requests_;
-  std::vector<float> weights_;
+  std::vector<FilterSample> places_;
   std::vector<Spectrum> radiance_;
   std::vector<SampleLayers> layers_;    ///< Empty when nobody asks for layers.
   std::vector<Rgb> group_light_;        ///< See `SampleOutput`.

@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "sampling/hash.h"
+#include "sampling/sobol_block.h"
 
 namespace candela {
 namespace {
@@ -91,6 +92,41 @@ Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sam
   sample_index_ = sobol::ReverseBits((ZOrder(pixel_x & in_square, pixel_y & in_square) << bits) |
                                      (sample_index & in_block));
   kind_ = SamplerKind::kSobol;
+}
+
+template <class Find, class Take>
+void Sampler::FindInBlocks(std::span<const Sampler> samplers, Find find, Take take) {
+  sobol::Block block;
+  for (size_t begin = 0; begin < samplers.size(); begin += sobol::Block::kSize) {
+    const size_t count = std::min(sobol::Block::kSize, samplers.size() - begin);
+    for (size_t k = 0; k < count; ++k) {
+      block.pixel_hashes[k] = samplers[begin + k].pixel_hash_;
+      block.reversed_indices[k] = samplers[begin + k].sample_index_;
+    }
+    find(&block);
+    for (size_t k = 0; k < count; ++k) take(begin + k, block, k);
+  }
+}
+
+void Sampler::Get1D(std::span<const Sampler> samplers, uint32_t dimension,
+                    std::span<float> numbers) {
+  if (samplers.empty() || samplers[0].kind_ == SamplerKind::kSobol) {
+    return FindInBlocks(
+        samplers, [&](sobol::Block* block) { sobol::FindPoints(dimension, block); },
+        [&](size_t i, const sobol::Block& block, size_t k) { numbers[i] = block.x[k]; });
+  }
+  for (size_t i = 0; i < samplers.size(); ++i) numbers[i] = samplers[i].Get1D(dimension);
+}
+
+void Sampler::Get2D(std::span<const Sampler> samplers, uint32_t dimension, std::span<Vec2> pairs) {
+  if (samplers.empty() || samplers[0].kind_ == SamplerKind::kSobol) {
+    return FindInBlocks(
+        samplers, [&](sobol::Block* block) { sobol::FindPairsOfPoints(dimension, block); },
+        [&](size_t i, const sobol::Block& block, size_t k) {
+          pairs[i] = {block.x[k], block.y[k]};
+        });
+  }
+  for (size_t i = 0; i < samplers.size(); ++i) pairs[i] = samplers[i].Get2D(dimension);
 }
 
 float Sampler::Stratified1D(uint64_t hash) const {

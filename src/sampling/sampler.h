@@ -78,6 +78,7 @@ constexpr uint32_t BounceDimension(uint32_t bounce) {
 /// Numbers are multiples of 2^-24 in [0, 1), never 1. All functions may be called concurrently.
 class Sampler {
  public:
+  Sampler() = default;  ///< Of nothing in particular, to be replaced.
   Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sample_index,
           SamplerType type = {});
 
@@ -92,16 +93,26 @@ class Sampler {
     return kind_ == SamplerKind::kSobol ? sobol::PairOfPoints(sample_index_, hash) : Other2D(hash);
   }
 
+  /// What each of many samplers gives, which are of one kind; lists of the same size. For Sobol
+  /// points several times as fast.
+  static void Get1D(std::span<const Sampler> samplers, uint32_t dimension,
+                    std::span<float> numbers);
+  static void Get2D(std::span<const Sampler> samplers, uint32_t dimension, std::span<Vec2> pairs);
+
  private:
+  /// Calls `take(i, block, k)` for each i, with the points of sampler i in entry k of a block.
+  template <class Find, class Take>
+  static void FindInBlocks(std::span<const Sampler> samplers, Find find, Take take);
+
   // Of the kinds without Sobol points.
   float Other1D(uint64_t hash) const;
   Vec2 Other2D(uint64_t hash) const;
   float Stratified1D(uint64_t hash) const;
   Vec2 Stratified2D(uint64_t hash) const;
 
-  uint64_t pixel_hash_;
-  uint32_t sample_index_;  ///< For Sobol points with its bits reversed, as these want it.
-  SamplerKind kind_;       ///< Of blue noise, whose points are those of Sobol, it is that.
+  uint64_t pixel_hash_ = 0;
+  uint32_t sample_index_ = 0;  ///< For Sobol points with its bits reversed, as these want it.
+  SamplerKind kind_ = SamplerKind::kSobol;  ///< Of blue noise, whose points are those, too.
 };
 
 }  // namespace candela

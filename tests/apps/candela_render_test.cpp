@@ -2,9 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/isa.h"
 #include "image/tone_curve.h"
 #include "kernel/accelerator_kind.h"
-#include "kernel/isa.h"
 #include "tests/apps/programs.h"
 
 namespace candela::testing_support {

@@ -1,4 +1,5 @@
-// A picture does not depend on the instruction set that its hits are searched with.
+// A picture does not depend on the instruction set that its hits are searched with and its random
+// numbers are drawn with.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -6,31 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "base/isa.h"
 #include "integrators/whitted.h"
-#include "kernel/isa.h"
 #include "tests/determinism/test_cases.h"
+#include "tests/support/forced_isa.h"
 #include "tests/support/render_scene.h"
 
 namespace candela::determinism {
 namespace {
 
+using test::ForcedIsa;
 using testing_support::CourseScene;
 using testing_support::RenderImage;
 using testing_support::WholePicture;
 
 constexpr int kWidth = 56, kHeight = 40;
-
-/// Has everything that is built in its life searched with an instruction set.
-class ForcedIsa {
- public:
-  explicit ForcedIsa(Isa isa) { ForceIsa(isa); }
-  ~ForcedIsa() { ForceIsa(before_); }
-  ForcedIsa(const ForcedIsa&) = delete;
-  ForcedIsa& operator=(const ForcedIsa&) = delete;
-
- private:
-  Isa before_ = DefaultIsa();
-};
 
 /// `render` compiles a scene and renders it.
 void ExpectSamePictures(const std::function<Image()>& render) {

@@ -5,11 +5,14 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/isa.h"
 #include "tests/sampling/chi_square.h"
+#include "tests/support/forced_isa.h"
 
 namespace candela {
 namespace {
@@ -85,6 +88,34 @@ TEST(StratifiedSampler, OrderOfStrataDiffersFromPixelToPixel) {
     ++cells[static_cast<size_t>(sampler.Get1D(5) * 16)];
   }
   for (const int count : cells) EXPECT_NEAR(count, 100, 50);
+}
+
+// Many at once are drawn in blocks, by the code of each instruction set; the last block may be any
+// part of one.
+TEST(EverySampler, GivesTheSameNumbersAloneAndTogether) {
+  for (const SamplerEntry& entry : Samplers()) {
+    std::vector<Sampler> samplers;
+    for (uint32_t i = 0; i < 200; ++i) {
+      samplers.push_back(Sampler(7, 31 * i, i / 3, i * i, {entry.kind, 16}));
+    }
+    for (const Isa isa : {Isa::kScalar, Isa::kAvx2, Isa::kAvx512}) {
+      if (!IsSupported(isa)) continue;
+      const test::ForcedIsa forced(isa);
+      for (const size_t count : {0, 1, 63, 64, 65, 200}) {
+        const std::span<const Sampler> some = std::span(samplers).first(count);
+        std::vector<float> numbers(count);
+        std::vector<Vec2> pairs(count);
+        for (const uint32_t dimension : {0u, 3u, BounceDimension(9) + 4}) {
+          Sampler::Get1D(some, dimension, numbers);
+          Sampler::Get2D(some, dimension, pairs);
+          for (size_t i = 0; i < count; ++i) {
+            ASSERT_EQ(numbers[i], some[i].Get1D(dimension)) << entry.name << IsaName(isa) << i;
+            ASSERT_EQ(pairs[i], some[i].Get2D(dimension)) << entry.name << IsaName(isa) << i;
+          }
+        }
+      }
+    }
+  }
 }
 
 SamplerType BlueNoise(uint32_t samples) {

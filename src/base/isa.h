@@ -5,7 +5,8 @@
 
 namespace candela {
 
-/// The instruction sets that the kernel is compiled for. All give the same bits.
+/// The instruction sets that there is code for: in the ray kernel and in the sampler. All give the
+/// same bits.
 enum class Isa { kScalar, kAvx2, kAvx512 };
 
 /// Whether this processor, and its system, can run it.

@@ -1,9 +1,8 @@
-#include "kernel/isa.h"
+#include "base/isa.h"
 
 #include <atomic>
 
 #include "base/check.h"
-#include "kernel/trace_functions.h"
 
 namespace candela {
 namespace {

@@ -1,7 +1,7 @@
 #include "film/layers.h"
 
 #include <bit>
-#include <cmath>
+#include <cstring>
 
 #include "film/pixel_estimate.h"
 #include "math/exact_sum.h"
@@ -115,8 +115,10 @@ void PixelLayers::Add(const SampleLayers& sample, float weight) {
   const SampleColours& colours = sample;
   const auto fours = std::bit_cast<std::array<Float4, 3>>(colours);
   for (size_t i = 0; i < fours.size(); ++i) {
-    const Float4 usable = UsableInLayers(fours[i] * weight);
-    for (size_t k = 0; k < 4; ++k) sums_[4 * i + k] += double{usable[k]};
+    Double4 sum;
+    std::memcpy(&sum, &sums_[4 * i], sizeof sum);
+    sum += __builtin_convertvector(UsableInLayers(fours[i] * weight), Double4);
+    std::memcpy(&sums_[4 * i], &sum, sizeof sum);
   }
 }
 

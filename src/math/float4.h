@@ -10,6 +10,7 @@ namespace candela {
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16)));
+typedef double Double4 __attribute__((vector_size(32)));  ///< Within functions only.
 
 inline Float4 Broadcast(float value) {
   return Float4{value, value, value, value};

@@ -15,8 +15,8 @@ bool IsSupported(Isa isa);
 /// The best one that is supported, or the one that was forced.
 Isa DefaultIsa();
 
-/// Makes `DefaultIsa` return `isa`, which has to be supported; for tests. Call it before anything
-/// is built.
+/// Makes `DefaultIsa` return `isa`, which has to be supported; for tests and for `--isa`. Call
+/// it before anything is built: groups keep the one that they were built for.
 void ForceIsa(Isa isa);
 
 /// "scalar", "avx2", "avx512".

@@ -115,7 +115,7 @@ void PixelLayers::Add(const SampleLayers& sample, float weight) {
   const SampleColours& colours = sample;
   const auto fours = std::bit_cast<std::array<Float4, 3>>(colours);
   for (size_t i = 0; i < fours.size(); ++i) {
-    Double4 sum;
+    Double4 sum;  // By copying: the sums need not lie where vectors may.
     std::memcpy(&sum, &sums_[4 * i], sizeof sum);
     sum += __builtin_convertvector(UsableInLayers(fours[i] * weight), Double4);
     std::memcpy(&sums_[4 * i], &sum, sizeof sum);

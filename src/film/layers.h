@@ -79,7 +79,8 @@ class PixelLayers {
     return {sums_[3 * colour], sums_[3 * colour + 1], sums_[3 * colour + 2]};
   }
 
-  std::array<double, sizeof(SampleColours) / sizeof(float)> sums_{};  ///< Of its numbers.
+  std::array<double, sizeof(SampleColours) / sizeof(float)>
+      sums_{};  ///< Of its numbers, in their order.
   SampleLayers::Surface surface_;
   float distance_ = 0;  ///< Of the nearest sample, if there is one.
   uint32_t index_ = 0;

@@ -47,7 +47,8 @@ struct SampleOutput {
   std::span<Spectrum> radiance;
   std::span<SampleLayers> layers = {};  ///< Empty when nobody asks for them.
   bool needs_uv = false;                ///< Texture coordinates count, even without a texture.
-  /// By sample, whether `SampleLayers::surface` is asked for; empty where it is of all.
+  /// By sample, whether `SampleLayers::surface` is asked for; empty where it is of all. The others
+  /// are left as they are.
   std::span<const uint8_t> wants_surface = {};
   /// The light of each group of lights of the scene, sample after sample: all of it is the
   /// radiance, but for rounding. Empty when nobody asks for it.
@@ -69,8 +70,7 @@ struct SampleOutput {
             group_count};
   }
 
-  /// Begins with layers of a sample that has seen nothing yet, if there are any. Surfaces that
-  /// nobody asks for are left as they are.
+  /// Begins with layers of a sample that has seen nothing yet, if there are any.
   void ClearLayers(size_t sample) const {
     if (!HasLayers()) return;
     static_cast<SampleColours&>(layers[sample]) = {};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/check.h"
 #include "geometry/spawn_ray.h"
 #include "integrators/beers_law.h"
 #include "integrators/bounce_numbers.h"
@@ -35,8 +36,8 @@ struct PathIntegrator::Batch final : Workspace {
 
   PathQueue<uint32_t> paths;      ///< By the number of their sample,
   std::vector<PathState> states;  ///< by which these are found: they stay where they are.
-  std::vector<Sampler> samplers;  ///< Of each path in the queue,
-  BounceNumbersOfMany numbers;    ///< and what they give for the bounce it is at.
+  std::vector<Sampler> samplers;  ///< Of the paths in the queue, which come first,
+  BounceNumbersOfMany numbers;    ///< and what they give for the bounce that these are at.
   std::vector<Vec2> image_points;
   std::vector<Contribution> contributions;
   std::vector<Ray> shadow_rays;      ///< That each of them depends on,
@@ -139,6 +140,7 @@ void PathIntegrator::Shade(uint32_t step, Batch* batch, const SampleOutput& outp
                        .light_choice = samples_lights && lights_.HasChoice(),
                        .roulette = has_roulette_ && step >= kRouletteAfter});
   size_t left = 0;
+  // Path i goes on, along a ray that is in its new place already.
   const auto keep = [&](size_t i) {
     paths.states()[left] = paths.states()[i];
     batch->samplers[left] = batch->samplers[i];
@@ -285,6 +287,7 @@ bool PathIntegrator::Scatter(uint32_t step, const BounceNumbers& numbers, const 
   path->eta_squared *= next.eta * next.eta;
 
   // A path that carries little power ends often, and counts for more when it does not.
+  DCHECK(path->bounces.all <= step);  // Else no number would have been drawn.
   if (has_roulette_ && path->bounces.all >= kRouletteAfter) {
     const float share = path->throughput.MaxComponent() * path->eta_squared;
     const float most = path->bounces.all < kUncertainAfter ? 1 : 0.95f;

@@ -10,6 +10,7 @@
 #include "lights/environment_light.h"
 #include "lights/light.h"
 #include "lights/light_picker.h"
+#include "math/vec.h"
 #include "scene/scene.h"
 
 namespace candela {

@@ -10,7 +10,8 @@ inline constexpr double kPi = 3.14159265358979323846;
 //
 // Errors of the double versions, measured by tests/math/elementary_test.cpp: sines, cosines and
 // tangents are within 0.9 ulp, everything else within 0.55 ulp (subnormal results within 1 ulp).
-// The float versions round a double result once: nearly all of them are correctly rounded.
+// The float versions, but for `SinCosOfEighthTurn`, round a double result once: nearly all of them
+// are correctly rounded.
 //
 // NaN gives NaN, and so does an argument outside the domain. All functions may be called
 // concurrently.
@@ -30,7 +31,7 @@ struct SineAndCosine {
 };
 SineAndCosine SinCos(float x);
 /// The same for an angle of at most an eighth turn, |x| <= pi/4, to 1e-7 of their value and much
-/// faster: polynomials of least error (E. Remez, 1934), of which the rounding is most.
+/// faster: minimax polynomials (E. Remez, 1934) in floats, whose rounding is most of the error.
 struct FloatSineAndCosine {
   float sin, cos;
 };

@@ -10,7 +10,8 @@ namespace candela {
 
 typedef float Float4 __attribute__((vector_size(16)));
 typedef int32_t Int4 __attribute__((vector_size(16)));
-typedef double Double4 __attribute__((vector_size(32)));  ///< Within functions only.
+/// Not for parameters or results: only AVX has registers for it.
+typedef double Double4 __attribute__((vector_size(32)));
 
 inline Float4 Broadcast(float value) {
   return Float4{value, value, value, value};

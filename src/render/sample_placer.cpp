@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "sampling/sampler.h"
+#include "sampling/sobol_block.h"
 
 namespace candela {
 namespace {
@@ -29,7 +30,7 @@ SamplePlacer::SamplePlacer(const RenderOptions& options)
 }
 
 void SamplePlacer::Place(std::span<SampleRequest> requests, std::span<FilterSample> places) const {
-  constexpr size_t kTogether = 64;
+  constexpr size_t kTogether = sobol::Block::kSize;  // So that blocks are full.
   std::array<Sampler, kTogether> samplers;
   std::array<Vec2, kTogether> u;
   for (size_t begin = 0; begin < requests.size(); begin += kTogether) {

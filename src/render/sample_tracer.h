@@ -7,6 +7,7 @@
 
 #include "base/cancel_token.h"
 #include "film/film.h"
+#include "film/pixel_filter.h"
 #include "integrators/integrator.h"
 #include "render/dropped_samples.h"
 #include "render/render_options.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/check.h"
 #include "sampling/hash.h"
 #include "sampling/sobol_block.h"
 
@@ -97,6 +98,8 @@ Sampler::Sampler(uint32_t seed, uint32_t pixel_x, uint32_t pixel_y, uint32_t sam
 template <class Find, class Take>
 void Sampler::FindInBlocks(std::span<const Sampler> samplers, Find find, Take take) {
   sobol::Block block;
+  DCHECK(std::ranges::all_of(samplers,
+                             [](const Sampler& one) { return one.kind_ == SamplerKind::kSobol; }));
   for (size_t begin = 0; begin < samplers.size(); begin += sobol::Block::kSize) {
     const size_t count = std::min(sobol::Block::kSize, samplers.size() - begin);
     for (size_t k = 0; k < count; ++k) {

@@ -112,7 +112,8 @@ class Sampler {
 
   uint64_t pixel_hash_ = 0;
   uint32_t sample_index_ = 0;  ///< For Sobol points with its bits reversed, as these want it.
-  SamplerKind kind_ = SamplerKind::kSobol;  ///< Of blue noise, whose points are those, too.
+  SamplerKind kind_ =
+      SamplerKind::kSobol;  ///< `kSobol` for blue noise as well: its hash and index make it.
 };
 
 }  // namespace candela

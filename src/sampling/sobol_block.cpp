@@ -8,8 +8,9 @@ namespace candela::sobol {
 namespace {
 
 // What follows is compiled for each instruction set, as a part of the functions behind it: loops of
-// known length and without branches, from which the compiler makes vector code. Functions that they
-// call have to be inline.
+// known length and without branches, from which the compiler makes vector code where it inlines
+// what they call. Where it does not, the inline functions are those of every processor: only these
+// functions here are compiled for a set.
 
 [[gnu::always_inline]] inline void FindAny(uint32_t dimension, bool are_pairs, Block* block) {
   std::array<uint32_t, Block::kSize> seeds, seeds_x, seeds_y;

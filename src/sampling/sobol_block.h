@@ -4,12 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "math/vec.h"
-
 namespace candela::sobol {
 
-/// Points of many sequences, one of each, calculated side by side: by their processor's widest
-/// registers, with the bits that `Point` and `PairOfPoints` give.
+/// Points of many sequences, one of each, calculated side by side: in the vector registers of the
+/// processor, with the bits that `Point` and `PairOfPoints` give.
 struct Block {
   static constexpr size_t kSize = 64;
 

@@ -16,8 +16,8 @@ Vec3 FromHeightAndTurn(float z, float radius, float turn) {
   return {radius * static_cast<float>(cosine), radius * static_cast<float>(sine), z};
 }
 
-/// The pair, in the other order unless `is_in_order`. Written so that no processor has to guess: it
-/// would be wrong every other time.
+/// The pair, in the other order unless `is_in_order`. Without a branch, which would be mispredicted
+/// every other time.
 Vec2 SwapUnless(bool is_in_order, float first, float second) {
   const auto a = std::bit_cast<uint32_t>(first), b = std::bit_cast<uint32_t>(second);
   const uint32_t difference = (a ^ b) & (uint32_t{is_in_order} - 1);
@@ -41,9 +41,8 @@ Vec2 SampleDisk(Vec2 u) {
   if (radius == 0) return {0, 0};
   const float arc = std::min(std::abs(x), std::abs(y)) / radius;
   const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * arc);
-  const auto [larger, smaller] =
-      SwapUnless(std::abs(x) > std::abs(y), radius * cosine, radius * sine);
-  return {std::copysign(larger, x), std::copysign(smaller, y)};
+  const auto [abs_x, abs_y] = SwapUnless(std::abs(x) > std::abs(y), radius * cosine, radius * sine);
+  return {std::copysign(abs_x, x), std::copysign(abs_y, y)};
 }
 
 Vec2 InvertDisk(Vec2 p) {

@@ -22,15 +22,16 @@ function(candela_add_test name)
   set(test ${test} PARENT_SCOPE)
   set(when)
   set(timeout 600)
-  set(cost 1)
   if(ARG_SLOW)
     list(APPEND ARG_LABELS slow)
     set(when CONFIGURATIONS slow)
     set(timeout 1500)
-    set(cost 300)  # The longest tests start first.
   endif()
   add_test(NAME ${test} COMMAND ${ARG_COMMAND} ${when} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${test} PROPERTIES LABELS "${stage};${ARG_LABELS}" TIMEOUT ${timeout} COST ${cost})
+  set_tests_properties(${test} PROPERTIES LABELS "${stage};${ARG_LABELS}" TIMEOUT ${timeout})
+  if(ARG_SLOW)
+    set_tests_properties(${test} PROPERTIES COST 300)  # The longest tests start first.
+  endif()
 endfunction()
 
 # Headers that most tests include, read once instead of once for each file. The stage dev does without, so

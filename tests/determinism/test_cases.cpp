@@ -78,6 +78,7 @@ std::vector<Placement> AllPlacements() {
 
 std::vector<Placement> ComparedPlacements() {
   std::vector<Placement> compared = AllPlacements();
+  // Those without a filter, and the first filter.
   if (testing_support::kIsSanitized) compared.resize(4);
   return compared;
 }

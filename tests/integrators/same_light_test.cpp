@@ -107,17 +107,20 @@ double RelativeError(const Moments& moments) {
 }
 
 /// With as many samples as it takes to the strength of the test: that differs by thousands of times
-/// over scenes and integrators. Those of an attempt that was too noisy are forgotten.
+/// over scenes and integrators. Those of an attempt that was too noisy are forgotten. What is
+/// black, or too noisy for any number of samples, is left to `ExpectPrecise`.
 template <class MakeIntegrator>
 Runs RenderPrecisely(uint32_t first_seed, MakeIntegrator make) {
-  constexpr int kAttempts = 6;
+  constexpr double kMostSamples = 1 << 22;
   double samples = kIsSanitized ? 1 : 4;
-  for (int attempt = 0;; ++attempt) {
+  for (;; first_seed += kRuns) {
     const Runs runs = Render(first_seed, static_cast<uint32_t>(samples), make);
-    const double too_large = RelativeError(MomentsOf(runs.means[kBlocks])) / kStrength;
-    if (too_large < 1 || attempt == kAttempts) return runs;
-    samples = std::ceil(samples * std::clamp(1.3 * too_large * too_large, 1.3, 64.0));
-    first_seed += kRuns;
+    const Moments moments = MomentsOf(runs.means[kBlocks]);
+    if (!(moments.mean > 0) || samples >= kMostSamples) return runs;
+    const double too_large = RelativeError(moments) / kStrength;
+    if (too_large < 1) return runs;
+    samples *= std::clamp(1.3 * too_large * too_large, 1.3, 64.0);
+    samples = std::min(std::ceil(samples), kMostSamples);
   }
 }
 

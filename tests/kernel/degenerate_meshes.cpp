@@ -1,11 +1,11 @@
-#include "tests/kernel/degenerate_scenes.h"
-#include "tests/support/effort.h"
-
 #include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
+
+#include "tests/kernel/degenerate_scenes.h"
+#include "tests/support/effort.h"
 
 namespace candela::test {
 namespace {

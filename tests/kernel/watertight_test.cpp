@@ -1,8 +1,8 @@
 // Nothing gets out of a closed mesh: rays from inside towards edges and vertices hit something.
 //
 // The usual set has 1e7 rays, the slow one 1e8, each of which goes one of the six ways through the
-// kernel. Under sanitizers fewer go all of them, but one way without instructions for lanes, which
-// takes long.
+// kernel. Under sanitizers fewer rays go all six ways, or one of them where the search is scalar,
+// which takes long.
 #include <gtest/gtest.h>
 
 #include <atomic>

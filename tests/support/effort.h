@@ -22,7 +22,7 @@ inline constexpr bool kIsSlow = true;
 inline constexpr bool kIsSlow = false;
 #endif
 
-/// So many samples; under sanitizers a sixteenth of them.
+/// So many samples; under sanitizers a sixteenth of them, at least four.
 constexpr uint32_t Samples(uint32_t usual) {
   return kIsSanitized ? std::max(usual / 16, std::min(usual, 4u)) : usual;
 }

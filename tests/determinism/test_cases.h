@@ -14,7 +14,7 @@
 namespace candela::determinism {
 
 /// So many random scenes are compared over instruction sets and accelerators.
-inline constexpr uint32_t kComparedScenes = testing_support::kIsSanitized ? 1 : 3;
+inline constexpr uint32_t kComparedScenes = testing_support::kIsSanitized ? 1 : 2;
 
 /// A scene with an integrator for it.
 struct Subject {

@@ -42,9 +42,9 @@ void ExpectInvisible(const std::string& materials, double tolerance, uint32_t pi
   const auto scene = CompileText(Furnace(materials));
   const PathIntegrator path(*scene, SeedOne());
   for (const Vec2 image_point : {Vec2{0, 0}, Vec2{0.25f, -0.1f}, Vec2{-0.3f, 0.15f}}) {
-    const Estimate estimate = EstimateRadiance(path, image_point, pixels, 512);
+    const Estimate estimate = EstimateRadiance(path, image_point, pixels, 1024);
     EXPECT_NEAR(estimate.mean, 1, tolerance + test::kLargestDeviate * estimate.error);
-    EXPECT_LE(estimate.error, testing_support::LargestError(4e-3));
+    EXPECT_LE(estimate.error, testing_support::LargestError(3e-3));
   }
 }
 

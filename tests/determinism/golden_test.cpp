@@ -26,7 +26,7 @@ using testing_support::WholePicture;
 // Tests run in the root of the project.
 constexpr const char* kFile = "tests/determinism/hashes.txt";
 constexpr int kWidth = 64, kHeight = 48;
-constexpr uint32_t kRandomScenes = 6;
+constexpr uint32_t kRandomScenes = 10;
 
 /// FNV-1a over the bits of all samples.
 uint64_t HashOf(const Image& image) {

@@ -30,7 +30,7 @@ constexpr int kSide = kBlock * kBlocksPerSide;
 constexpr size_t kBlocks = kBlocksPerSide * kBlocksPerSide;
 
 // The picture's mean is known to this part of it, so that no comparison passes by being noisy.
-constexpr double kStrength = kIsSlow ? 2.5e-3 : kIsSanitized ? 5e-2 : 5e-3;
+constexpr double kStrength = kIsSlow ? 1.1e-3 : kIsSanitized ? 3e-2 : 4.5e-3;
 constexpr int kRuns = 16;
 
 // 40 scenes, 3 pairs of integrators, 5 means: by Bonferroni each may fail by chance in 2.6e-6,

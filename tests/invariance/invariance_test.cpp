@@ -30,8 +30,8 @@ using testing_support::kIsSanitized;
 using testing_support::kIsSlow;
 
 constexpr int kSize = 24, kBlock = 8;
-constexpr uint32_t kSamples = kIsSlow ? 1024 : kIsSanitized ? 8 : 64;
-constexpr double kStrength = kIsSlow ? 5e-3 : kIsSanitized ? 0.2 : 0.02;
+constexpr uint32_t kSamples = kIsSlow ? 4096 : kIsSanitized ? 8 : 64;
+constexpr double kStrength = kIsSlow ? 2e-3 : kIsSanitized ? 0.2 : 0.02;
 
 /// The difference of two pictures over a window, in standard errors. The pixels are independent of
 /// each other, and those of the same place have the same mean if nothing depends on the change; so

@@ -17,7 +17,7 @@ using testing_support::kIsSanitized;
 using testing_support::kIsSlow;
 
 constexpr int kGroups = kIsSanitized ? 24 : 200;
-constexpr size_t kRaysOfGroup = kIsSlow ? 12'500 : 500;
+constexpr size_t kRaysOfGroup = kIsSlow ? 50'000 : 500;
 
 /// All rays go all six ways, or each sixth of them another.
 enum class Ways { kAll, kOneEach };
@@ -82,7 +82,7 @@ class RandomGroups : public testing::TestWithParam<int> {};
 
 // Nearest hits, their weights and all indices, and occlusion: 1e5 rays in 200 groups, each asked
 // one by one, scattered and coherent, for every instruction set and both qualities; a part of them
-// with the other accelerators. The slow set has 2.5e6, each of which is asked for in one of these
+// with the other accelerators. The slow set has 1e7, each of which is asked for in one of these
 // ways.
 TEST_P(RandomGroups, AnswerLikeASearchWithoutATree) {
   const auto kind = static_cast<GroupKind>(GetParam());

@@ -93,7 +93,7 @@ TEST_P(Degenerate, GeometryMakesAShallowTreeWithTheRightAnswers) {
   const GroupDescription description = scene.make();
   const Extent extent = ExtentOf(description);
   const bool is_large = extent.primitives > 50'000;
-  const std::vector<Ray> rays = RaysThrough(description, is_large ? 4 : kRays);
+  const std::vector<Ray> rays = RaysThrough(description, is_large ? 8 : kRays);
   std::vector<HitRecord> right(rays.size());
   const FullSearch search(description);
   for (size_t i = 0; i < rays.size(); ++i) search.Intersect(rays[i], &right[i]);

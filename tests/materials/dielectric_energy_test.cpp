@@ -76,6 +76,7 @@ TEST(WhiteFurnace, GroundGlassThatDispersesLosesNothingOfAnyColour) {
 // P4: and of its own reflectance, which a film makes another one for each.
 TEST(WhiteFurnace, FilmsOnGroundGlassThatDispersesLoseNothingOfAnyColour) {
   ExpectWhiteForEachWavelength(0.5f, FilmInput(3, 150));
+  ExpectWhiteForEachWavelength(1, FilmInput(1.5f, 150));
   ExpectWhiteForEachWavelength(1, FilmInput(2, 400));
 }
 

@@ -159,7 +159,9 @@ inline void ExpectSamplesToFollowTheDensity(const Bsdf& bsdf, Vec3 wo, uint32_t 
   const double rest = static_cast<double>(others) / samples;
   const double error = std::sqrt(rest * (1 - rest) / samples);
   EXPECT_NEAR(sum, 1 - rest, 1e-3 + kLargestDeviate * error) << "the integral of the density";
-  if (others == samples) return;
+  // Chi-square needs some in each cell: of the few under sanitizers there may not be enough.
+  constexpr uint64_t kFewest = testing_support::kIsSanitized ? 1000 : 1;
+  if (samples - others < kFewest) return;
   for (double& share : shares) share /= sum;
   EXPECT_LT(ChiSquareDeviate(counts, shares), kLargestDeviate);
 }

@@ -75,6 +75,13 @@ std::string Point() {
          "attenuation 1 } }\n";
 }
 
+/// Paths do not find the light of a point that smooth glass throws, and light paths do, so a point
+/// that shines where smooth glass is shines past it.
+std::string SpotBesideTheBall() {
+  return "Node { Transform { translate -1 1.6 1 } Component<Light> { type spot direction 0 -1 -0.5 "
+         "angle 40 color 9 9 9 attenuation 1 } }\n";
+}
+
 std::string Moving(const char* begin, const char* end, const std::string& nodes) {
   return fmt::format("Node {{ Keyframes {{ Transform {{ {} }} Transform {{ {} }} }} {} }}\n", begin,
                      end, nodes);
@@ -164,7 +171,7 @@ std::vector<NamedScene> Scenes() {
                                Object("clay", "translate 0 -0.7 0 scale 7 7 7",
                                       "mesh obj_file assets/assignment4/models/bunny_200.obj"))},
       {"several_lights_in_amber",
-       Scene(Corner() + sphere_lamp + Point() +
+       Scene(Corner() + sphere_lamp + SpotBesideTheBall() +
                  Object("amber", "translate 0.8 -0.3 0.3", "sphere radius 0.65") +
                  Lamp("translate 0.8 -0.3 0.3", "sphere radius 0.3", "radiance 9 9 9"),
              kEvenSky)},
@@ -180,7 +187,7 @@ std::vector<NamedScene> Scenes() {
              "Camera { type orthographic center 0 0.6 4 direction 0.1 -0.25 -1 up 0 1 0 height 3.5 "
              "aperture 0.5 focus_distance 4 }\n")},
       {"orthographic_in_bodies",
-       Scene(Corner() + Point() + Body("glass", "tea", 1, "translate 0.3 0.3 2.5", 1.2), "",
+       Scene(Corner() + sphere_lamp + Body("glass", "tea", 1, "translate 0.3 0.3 2.5", 1.2), "",
              "Camera { type orthographic center 0 0.6 2.5 direction 0 -0.25 -1 up 0 1 0 "
              "height 3.5 }\n")},
       {"fisheye",

@@ -12,11 +12,14 @@ namespace candela {
 /// is 0. `x` is finite. What `std::nextafter` says, without the call and without branches: nobody
 /// can guess the signs.
 inline float NextFloat(float x, float toward) {
-  const auto bits = std::bit_cast<uint32_t>(x), sign = std::bit_cast<uint32_t>(toward) >> 31;
-  const uint32_t is_shorter = (bits >> 31) ^ sign;
-  const uint32_t beside_zero = (sign << 31) | 1;
-  const uint32_t next = x == 0 ? beside_zero : bits + 1 - 2 * is_shorter;
-  return std::bit_cast<float>(toward == 0 ? bits : next);
+  const auto bits = std::bit_cast<uint32_t>(x), direction = std::bit_cast<uint32_t>(toward);
+  // All ones where they hold: compilers make branches of conditions, but not of these.
+  const auto if_set = [](uint32_t bit) { return 0 - bit; };
+  const uint32_t is_zero = if_set(uint32_t{x == 0}), stays = if_set(uint32_t{toward == 0});
+  const uint32_t is_shorter = (bits ^ direction) >> 31;
+  const uint32_t next = bits + 1 - 2 * is_shorter, beside_zero = (direction & 0x80000000) | 1;
+  const uint32_t moved = (next & ~is_zero) | (beside_zero & is_zero);
+  return std::bit_cast<float>((moved & ~stays) | (bits & stays));
 }
 
 /// A ray that leaves a surface towards the unit direction `w`. It starts beside the surface by the

@@ -8,13 +8,14 @@
 #include "integrators/path_queue.h"
 #include "integrators/path_state.h"
 #include "math/vec.h"
+#include "sampling/direction_numbers.h"
 #include "sampling/sampler.h"
 
 namespace candela {
 
 /// The random numbers for one bounce of one path from the camera.
 struct BounceNumbers {
-  Vec2 direction;
+  DirectionNumbers direction{{}};
   Vec2 light_point;
   float light_choice = 0;
   float roulette = 0;
@@ -32,7 +33,9 @@ class BounceNumbersOfMany {
     const uint32_t dimension = BounceDimension(bounce);
     const size_t count = samplers.size();
     uses_ = uses;
-    Sampler::Get2D(samplers, dimension + kDirection, FirstOf(&directions_, count));
+    const auto pairs = FirstOf(&directions_, count);
+    Sampler::Get2D(samplers, dimension + kDirection, pairs);
+    SampleCosineHemisphere(pairs, FirstOf(&on_hemisphere_, count));
     if (uses.light_point) {
       Sampler::Get2D(samplers, dimension + kLightPoint, FirstOf(&light_points_, count));
     }
@@ -47,7 +50,7 @@ class BounceNumbersOfMany {
   /// Those of the path whose sampler is at that place in the list.
   BounceNumbers operator[](size_t i) const {
     BounceNumbers numbers;
-    numbers.direction = directions_[i];
+    numbers.direction = {directions_[i], on_hemisphere_[i]};
     if (uses_.light_point) numbers.light_point = light_points_[i];
     if (uses_.light_choice) numbers.light_choice = light_choices_[i];
     if (uses_.roulette) numbers.roulette = roulettes_[i];
@@ -57,6 +60,7 @@ class BounceNumbersOfMany {
  private:
   Uses uses_{};
   std::vector<Vec2> directions_, light_points_;
+  std::vector<Vec3> on_hemisphere_;
   std::vector<float> light_choices_, roulettes_;
 };
 

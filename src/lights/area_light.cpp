@@ -34,9 +34,7 @@ LightSample AreaLight::SampleIncident(Vec3 p, Vec2 u) const {
   if (!sampler_) return {{}, {}, 0, 0};
   const SurfaceSample sample = sampler_->Sample(p, u);
   if (sample.pdf == 0) return {{}, {}, 0, 0};
-  SurfacePoint point;
-  point.n_geometric = sample.n;
-  return {sample.direction, Emitted(point, -sample.direction), sample.distance, sample.pdf};
+  return {sample.direction, EmittedTo(-sample.direction, sample.n), sample.distance, sample.pdf};
 }
 
 float AreaLight::PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3) const {
@@ -44,10 +42,12 @@ float AreaLight::PdfIncident(Vec3 p, const SurfacePoint& seen, Vec3) const {
 }
 
 Spectrum AreaLight::Emitted(const SurfacePoint& point, Vec3 w) const {
-  if (is_two_sided_) return radiance_;
   // `whitted` knows the shading normal only.
-  const Vec3 n = point.n_geometric == Vec3() ? point.n_shading : point.n_geometric;
-  return Dot(n, w) > 0 ? radiance_ : Spectrum();
+  return EmittedTo(w, point.n_geometric == Vec3() ? point.n_shading : point.n_geometric);
+}
+
+Spectrum AreaLight::EmittedTo(Vec3 w, Vec3 n) const {
+  return is_two_sided_ || Dot(n, w) > 0 ? radiance_ : Spectrum();
 }
 
 LightReach AreaLight::Reach() const {

@@ -34,6 +34,8 @@ class AreaLight final : public Light {
                   float radius) override;
 
  private:
+  /// What leaves in the direction `w` where the normal is `n`.
+  Spectrum EmittedTo(Vec3 w, Vec3 n) const;
   float Sides() const { return is_two_sided_ ? 2 : 1; }
 
   Spectrum radiance_;

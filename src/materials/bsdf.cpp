@@ -71,15 +71,20 @@ BsdfValue EvalWithPdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi) {
   return {value, bsdf.pick_sum > 0 ? pdf / bsdf.pick_sum : 0};
 }
 
-BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u) {
+BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, DirectionNumbers numbers) {
   if (!(bsdf.pick_sum > 0)) return {};
   const Vec3 o = bsdf.frame.ToLocal(wo);
-  const int drawn = ChooseLobe(bsdf, &u.x);
+  int drawn = 0;
+  if (bsdf.count > 1) {
+    Vec2 u = numbers.u();
+    drawn = ChooseLobe(bsdf, &u.x);
+    numbers = u;
+  }
   if (!(bsdf.lobes[drawn].pick > 0)) return {};  // By rounding only.
   const LobeKind kind = bsdf.lobes[drawn].kind;
   // A bent normal may look away; holes do not ask for it.
   if (!(o.z > 0) && kind != LobeKind::kHole) return {};
-  LobeSample sample = SampleLobe(bsdf.lobes[drawn], o, u);
+  LobeSample sample = SampleLobe(bsdf.lobes[drawn], o, numbers);
   if (sample.pdf == 0) return {};
   sample.weight *= Spectrum(bsdf.lobes[drawn].share);
   if (sample.is_delta) {

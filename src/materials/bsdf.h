@@ -92,8 +92,8 @@ struct BsdfValue {
 };
 BsdfValue EvalWithPdf(const Bsdf& bsdf, Vec3 wo, Vec3 wi);
 
-/// Draws `wi` for a given `wo` from two numbers in [0, 1).
-BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, Vec2 u);
+/// Draws `wi` for a given `wo`.
+BsdfSample Sample(const Bsdf& bsdf, Vec3 wo, DirectionNumbers numbers);
 
 /// The density with which `Sample` draws `wi`, per solid angle; lobes of single directions are left
 /// out, so that it integrates to the share of the others.

@@ -60,9 +60,9 @@ Spectrum EvalOrenNayar(const Lobe& lobe, Vec3 wo, Vec3 wi) {
   return rho * single + rho * rho * mean / (Spectrum(1) - rho * (1 - mean)) * multiple;
 }
 
-LobeSample SampleLambert(const Lobe& lobe, Vec2 u) {
+LobeSample SampleLambert(const Lobe& lobe, const DirectionNumbers& numbers) {
   LobeSample sample;
-  sample.wi = SampleCosineHemisphere(u);
+  sample.wi = numbers.OnCosineHemisphere();
   sample.pdf = CosineHemispherePdf(sample.wi.z);
   // The cosine of the estimator and that of the density cancel: what remains is the albedo.
   sample.weight = lobe.weight;

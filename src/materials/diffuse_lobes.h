@@ -7,7 +7,7 @@ namespace candela {
 // Lobes that spread light widely.
 
 Spectrum EvalLambert(const Lobe& lobe);
-LobeSample SampleLambert(const Lobe& lobe, Vec2 u);
+LobeSample SampleLambert(const Lobe& lobe, const DirectionNumbers& numbers);
 
 /// The rough diffuse surface of Oren and Nayar in the form of Portsmouth, Kutz and Hill, "EON: A
 /// Practical Energy-Preserving Rough Diffuse BRDF", 2025, with their exact albedo.

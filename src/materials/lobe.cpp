@@ -93,10 +93,11 @@ LobeValue EvalLobeWithPdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi) {
   return {EvalLobe(lobe, wo, wi), LobePdf(lobe, wo, wi)};
 }
 
-LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u) {
+LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, const DirectionNumbers& numbers) {
+  const Vec2 u = numbers.u();
   switch (lobe.kind) {
     case LobeKind::kLambert:
-      return SampleLambert(lobe, u);
+      return SampleLambert(lobe, numbers);
     case LobeKind::kOrenNayar:
       return SampleOrenNayar(lobe, wo, u);
     case LobeKind::kPhong:

@@ -6,6 +6,7 @@
 #include "materials/ggx.h"
 #include "math/spectrum.h"
 #include "math/vec.h"
+#include "sampling/direction_numbers.h"
 
 namespace candela {
 
@@ -162,7 +163,7 @@ struct LobeValue {
   float pdf;
 };
 LobeValue EvalLobeWithPdf(const Lobe& lobe, const Vec3& wo, const Vec3& wi);
-LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, Vec2 u);
+LobeSample SampleLobe(const Lobe& lobe, const Vec3& wo, const DirectionNumbers& numbers);
 
 /// The direction in which a mirror in the plane z = 0 throws light.
 constexpr Vec3 MirrorDirection(Vec3 w) {

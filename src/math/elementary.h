@@ -61,6 +61,8 @@ float Atan(float x);
 /// zeros count, and infinities stand for the limit of equal growth, so Atan2(inf, inf) is pi/4.
 double Atan2(double y, double x);
 float Atan2(float y, float x);
+/// The same to about 1e-15 and several times as fast, for finite numbers that are not both 0.
+double FastAtan2(double y, double x);
 
 /// e^x and 2^x; 0 and infinity beyond the range of the type.
 double Exp(double x);

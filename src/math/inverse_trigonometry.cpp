@@ -63,7 +63,7 @@ DoubleDouble Complement(double x) {
   return square.hi > 0 ? Sqrt(square) : DoubleDouble{0};
 }
 
-/// The same in plain double, to about 1e-15; for float results. For 0 <= y, not both 0 or infinite.
+/// The same in plain double, to about 1e-15. For 0 <= y, not both 0 or infinite.
 double FastAngle(double y, double x) {
   const double abs_x = std::abs(x);
   const bool is_steep = y > abs_x;
@@ -144,11 +144,14 @@ float Atan(float x) {
   return Atan2(x, 1.0f);
 }
 
+double FastAtan2(double y, double x) {
+  return std::copysign(FastAngle(std::abs(y), x), y);
+}
+
 float Atan2(float y, float x) {
   const bool is_plain = std::isfinite(x) && std::isfinite(y) && (x != 0 || y != 0);
   if (!is_plain) return static_cast<float>(Atan2(static_cast<double>(y), static_cast<double>(x)));
-  const double angle = FastAngle(std::abs(static_cast<double>(y)), static_cast<double>(x));
-  return std::copysign(static_cast<float>(angle), y);
+  return static_cast<float>(FastAtan2(static_cast<double>(y), static_cast<double>(x)));
 }
 
 }  // namespace candela

@@ -1,9 +1,12 @@
 #include "sampling/warp.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+
+#include "base/run_vectorized.h"
 
 namespace candela {
 namespace {
@@ -18,7 +21,7 @@ Vec3 FromHeightAndTurn(float z, float radius, float turn) {
 
 /// The pair, in the other order unless `is_in_order`. Without a branch, which would be mispredicted
 /// every other time.
-Vec2 SwapUnless(bool is_in_order, float first, float second) {
+[[gnu::always_inline]] inline Vec2 SwapUnless(bool is_in_order, float first, float second) {
   const auto a = std::bit_cast<uint32_t>(first), b = std::bit_cast<uint32_t>(second);
   const uint32_t difference = (a ^ b) & (uint32_t{is_in_order} - 1);
   return {std::bit_cast<float>(a ^ difference), std::bit_cast<float>(b ^ difference)};
@@ -30,19 +33,35 @@ float TurnOf(Vec3 direction) {
   return turn < 0 ? std::min(turn + 1, 0x1.fffffep-1f) : turn;
 }
 
-}  // namespace
+/// A point of the unit disk, and its distance from the centre.
+struct DiskPoint {
+  Vec2 p;
+  float radius;
+};
 
-Vec2 SampleDisk(Vec2 u) {
+[[gnu::always_inline]] inline DiskPoint DrawOnDisk(Vec2 u) {
   const float x = 2 * u.x - 1;
   const float y = 2 * u.y - 1;
   // In the quadrants left and right of the centre |x| is the radius, in the other two |y|; the
   // smaller one runs along the arc.
   const float radius = std::max(std::abs(x), std::abs(y));
-  if (radius == 0) return {0, 0};
-  const float arc = std::min(std::abs(x), std::abs(y)) / radius;
+  // In the centre, any.
+  const float arc = std::min(std::abs(x), std::abs(y)) / std::max(radius, 1e-30f);
   const auto [sine, cosine] = SinCosOfEighthTurn(kQuarterPi * arc);
   const auto [abs_x, abs_y] = SwapUnless(std::abs(x) > std::abs(y), radius * cosine, radius * sine);
-  return {std::copysign(abs_x, x), std::copysign(abs_y, y)};
+  return {{std::copysign(abs_x, x), std::copysign(abs_y, y)}, radius};
+}
+
+[[gnu::always_inline]] inline Vec3 DrawOnCosineHemisphere(Vec2 u) {
+  const auto [p, radius] = DrawOnDisk(u);
+  // From the radius, which is known earlier than the point.
+  return {p.x, p.y, std::sqrt((1 - radius) * (1 + radius))};
+}
+
+}  // namespace
+
+Vec2 SampleDisk(Vec2 u) {
+  return DrawOnDisk(u).p;
 }
 
 Vec2 InvertDisk(Vec2 p) {
@@ -60,8 +79,29 @@ Vec2 InvertDisk(Vec2 p) {
 }
 
 Vec3 SampleCosineHemisphere(Vec2 u) {
-  const Vec2 p = SampleDisk(u);
-  return {p.x, p.y, std::sqrt(std::max(0.0f, 1 - p.x * p.x - p.y * p.y))};
+  return DrawOnCosineHemisphere(u);
+}
+
+void SampleCosineHemisphere(std::span<const Vec2> u, std::span<Vec3> directions) {
+  constexpr size_t kTogether = 64;
+  for (size_t begin = 0; begin < u.size(); begin += kTogether) {
+    const size_t count = std::min(kTogether, u.size() - begin);
+    // Coordinates stand side by side in vector registers.
+    std::array<float, kTogether> u_x{}, u_y{}, x, y, z;
+    for (size_t i = 0; i < count; ++i) {
+      u_x[i] = u[begin + i].x;
+      u_y[i] = u[begin + i].y;
+    }
+    RunVectorized([&]() __attribute__((always_inline)) {
+      for (size_t i = 0; i < kTogether; ++i) {
+        const Vec3 direction = DrawOnCosineHemisphere({u_x[i], u_y[i]});
+        x[i] = direction.x;
+        y[i] = direction.y;
+        z[i] = direction.z;
+      }
+    });
+    for (size_t i = 0; i < count; ++i) directions[begin + i] = {x[i], y[i], z[i]};
+  }
 }
 
 Vec2 InvertCosineHemisphere(Vec3 direction) {

@@ -19,17 +19,16 @@ class DiskSampler final : public SurfaceSampler {
       : center_(ToDouble(center)),
         radius_x_(ToDouble(radius_x)),
         radius_y_(ToDouble(radius_y)),
+        square_(center_ - radius_x_ - radius_y_, radius_x_ * 2.0, radius_y_ * 2.0),
         n_(n) {
     area_ = kPi * Length(Cross(radius_x_, radius_y_));
     size_ = std::max(Length(radius_x), Length(radius_y));
-    const double slant = std::abs(Dot(radius_x_, radius_y_));
-    is_right_angled_ = slant <= 1e-6 * Length(radius_x_) * Length(radius_y_);
   }
 
   SurfaceSample Sample(Vec3 from, Vec2 u) const override {
     if (IsInPlane(from, ToFloat(center_), n_, size_)) return {};
     if (!IsNear(from)) return SampleByArea(from, PointAt(SampleDisk(u)), n_, area_);
-    const SphericalRectangle seen = SquareSeenFrom(from);
+    const SphericalRectangle seen = square_.From(ToDouble(from));
     if (!(seen.SolidAngle() > kLeastAngle)) return {};
     const Vec2 place = seen.Sample(u);
     const Vec2 on_disk{2 * place.x - 1, 2 * place.y - 1};
@@ -42,7 +41,7 @@ class DiskSampler final : public SurfaceSampler {
   float Pdf(Vec3 from, Vec3 p, Vec3) const override {
     if (IsInPlane(from, ToFloat(center_), n_, size_)) return 0;
     if (!IsNear(from)) return PdfByArea(from, p, n_, area_);
-    const SphericalRectangle seen = SquareSeenFrom(from);
+    const SphericalRectangle seen = square_.From(ToDouble(from));
     return seen.SolidAngle() > kLeastAngle ? static_cast<float>(seen.Pdf()) : 0;
   }
 
@@ -58,19 +57,18 @@ class DiskSampler final : public SurfaceSampler {
   /// So little is seen edge-on; rays find it.
   static constexpr double kLeastAngle = 1e-6;
 
-  bool IsNear(Vec3 from) const { return is_right_angled_ && !IsFar(from, ToFloat(center_), size_); }
-  SphericalRectangle SquareSeenFrom(Vec3 from) const {
-    return {center_ - radius_x_ - radius_y_ - ToDouble(from), radius_x_ * 2.0, radius_y_ * 2.0};
+  bool IsNear(Vec3 from) const {
+    return square_.IsRightAngled() && !IsFar(from, ToFloat(center_), size_);
   }
   Vec3 PointAt(Vec2 place) const {
     return ToFloat(center_ + radius_x_ * double{place.x} + radius_y_ * double{place.y});
   }
 
   Vec3d center_, radius_x_, radius_y_;
+  SeenRectangle square_;
   Vec3 n_;
   double area_;
   float size_;
-  bool is_right_angled_;
 };
 
 }  // namespace

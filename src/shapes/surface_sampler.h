@@ -68,12 +68,14 @@ inline SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n
   SurfaceSample sample;
   sample.direction = way * (1 / distance);
   sample.n = n;
+  // The divisions below do not wait for the one above.
+  const float height = std::abs(Dot(n, way));  // Distance times cosine.
   // Rounding moves points by so much; a slanted surface is met that much earlier.
-  const float cosine = std::abs(Dot(n, sample.direction));
-  const float rounding = (MaxAbs(from) + MaxAbs(p)) * 4e-6f / (cosine + 0.001f);
+  const float rounding =
+      (MaxAbs(from) + MaxAbs(p)) * 4e-6f * distance / (height + 0.001f * distance);
   sample.distance = distance - rounding - distance * 1e-5f;
-  if (!(sample.distance > 0) || !(cosine > kEdgeOnCosine)) return sample;
-  sample.pdf = squared / (static_cast<float>(area) * cosine);
+  if (!(sample.distance > 0) || !(height > kEdgeOnCosine * distance)) return sample;
+  sample.pdf = squared * distance / (static_cast<float>(area) * height);
   return sample;
 }
 

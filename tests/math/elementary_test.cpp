@@ -162,6 +162,18 @@ INSTANTIATE_TEST_SUITE_P(
                     TwoArguments{"Pow", Pow, Pow, std::pow, {0.999, -7e5}, {1.001, 7e5}},
                     TwoArguments{"Pow", Pow, Pow, std::pow, {0, -1.02}, {1e300, 1.02}}));
 
+TEST(FastAtan2, IsWithinTheStatedBound) {
+  Arguments arguments(-1, 1);
+  for (int i = 0; i < kCount; ++i) {
+    const double size = std::exp2(std::round(300 * arguments.Next()));
+    const double y = size * arguments.Next(), x = size * arguments.Next();
+    ASSERT_NEAR(FastAtan2(y, x), std::atan2(y, x), 1.5e-15) << y << " " << x;
+  }
+  EXPECT_EQ(FastAtan2(0, 1), 0);
+  EXPECT_EQ(FastAtan2(0, -1), kPi);
+  EXPECT_EQ(FastAtan2(-1, 0), -kPi / 2);
+}
+
 // The reference is built from pi in long double, so angles stay small.
 TEST(Degrees, AgreeWithRadians) {
   if (LDBL_MANT_DIG < 64) GTEST_SKIP() << "long double is not wider than double here";

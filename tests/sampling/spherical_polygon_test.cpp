@@ -134,15 +134,37 @@ const Sides kRectangles[] = {
 };
 
 TEST(SphericalRectangle, OfAFaceOfACubeHasASixthOfTheSphere) {
-  EXPECT_NEAR(SphericalRectangle({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}).SolidAngle(), 4 * kPi / 6,
-              1e-6);
+  EXPECT_NEAR(SeenRectangle({-1, -1, -1}, {2, 0, 0}, {0, 2, 0}).From({}).SolidAngle(), 4 * kPi / 6,
+              1e-12);
+}
+
+// Scenes may have any unit of length that floats have room for.
+TEST(SphericalRectangle, LooksTheSameAtEveryScale) {
+  const Sides& r = kRectangles[1];
+  const SphericalRectangle usual = SeenRectangle(r.corner, r.x, r.y).From({});
+  for (const double scale : {1e-36, 1e36}) {
+    const SphericalRectangle scaled =
+        SeenRectangle(r.corner * scale, r.x * scale, r.y * scale).From({});
+    EXPECT_NEAR(scaled.SolidAngle(), usual.SolidAngle(), 1e-12);
+    UniformNumbers numbers(6);
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 u = numbers.NextPair(), place = scaled.Sample(u), expected = usual.Sample(u);
+      ASSERT_NEAR(place.x, expected.x, 1e-6f);
+      ASSERT_NEAR(place.y, expected.y, 1e-6f);
+    }
+  }
+}
+
+TEST(SphericalRectangle, TellsRectanglesFromParallelograms) {
+  EXPECT_TRUE(SeenRectangle({}, {3, 4, 0}, {-4e6, 3e6, 0}).IsRightAngled());
+  EXPECT_FALSE(SeenRectangle({}, {3, 4, 0}, {-4, 3.1, 0}).IsRightAngled());
 }
 
 // P3
 TEST(SphericalRectangle, Inverts) {
   UniformNumbers numbers(4);
   for (const Sides& r : kRectangles) {
-    const SphericalRectangle rectangle(r.corner, r.x, r.y);
+    const SphericalRectangle rectangle = SeenRectangle(r.corner, r.x, r.y).From({});
     for (int i = 0; i < 20000; ++i) {
       const Vec2 u = numbers.NextPair();
       const Vec2 place = rectangle.Sample(u);
@@ -157,7 +179,7 @@ TEST(SphericalRectangle, Inverts) {
 // P1
 TEST(SphericalRectangle, FollowsItsDensity) {
   for (const Sides& r : kRectangles) {
-    const SphericalRectangle rectangle(r.corner, r.x, r.y);
+    const SphericalRectangle rectangle = SeenRectangle(r.corner, r.x, r.y).From({});
     UniformNumbers numbers(5);
     std::vector<uint64_t> counts(kSide * kSide);
     for (int i = 0; i < kSamples / 4; ++i) {

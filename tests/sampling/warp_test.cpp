@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/sampling/chi_square.h"
+#include "tests/support/forced_isa.h"
 
 namespace candela {
 namespace {
@@ -103,6 +104,24 @@ TEST_P(Directions, CornersOfTheSquareAreSafe) {
       const Vec3 w = GetParam().sample({x, y});
       EXPECT_NEAR(Length(w), 1, 3e-7f);
       EXPECT_GE(w.z, GetParam().lowest);
+    }
+  }
+}
+
+// Many at once are drawn in blocks, by the code of each instruction set.
+TEST(CosineHemisphere, IsTheSameAloneAndTogether) {
+  UniformNumbers numbers(9);
+  std::vector<Vec2> pairs = {{0.5f, 0.5f}, {0, 0}, {0, 0.5f}, {0.5f, 0x1.fffffep-1f}};
+  while (pairs.size() < 200) pairs.push_back(numbers.NextPair());
+  for (const Isa isa : {Isa::kScalar, Isa::kAvx2, Isa::kAvx512}) {
+    if (!IsSupported(isa)) continue;
+    const test::ForcedIsa forced(isa);
+    for (const size_t count : {0, 1, 64, 65, 200}) {
+      std::vector<Vec3> directions(count);
+      SampleCosineHemisphere(std::span(pairs).first(count), directions);
+      for (size_t i = 0; i < count; ++i) {
+        ASSERT_EQ(directions[i], SampleCosineHemisphere(pairs[i])) << IsaName(isa) << " " << i;
+      }
     }
   }
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/triangle.h"
 #include "shapes/mesh.h"
@@ -94,19 +95,22 @@ void Mesh::BakeNormals(const Mat4& object_from_world, Mesh* baked) const {
   baked->own_normals_.reserve(normals_.size());
   for (const Vec3 n : normals_) baked->own_normals_.push_back(to_world(n));
   baked->normal_corners_ = normal_corners_;
+  baked->own_normal_corners_ = own_normal_corners_;
   // A corner without a normal takes that of the face, of unit length in the object. Beside others
   // its length counts, so it becomes one of the normals; alone it is what the face gives anyway.
+  std::vector<Corners> corners;
   for (size_t i = 0; i < spec_->triangles.size(); ++i) {
     if (HasNormal(i, 0) == HasNormal(i, 1) && HasNormal(i, 1) == HasNormal(i, 2)) continue;
-    if (baked->own_normal_corners_.empty()) {
-      baked->own_normal_corners_.assign(normal_corners_.begin(), normal_corners_.end());
-      baked->normal_corners_ = baked->own_normal_corners_;
-    }
+    if (corners.empty()) corners.assign(normal_corners_.begin(), normal_corners_.end());
     const auto place = static_cast<uint32_t>(baked->own_normals_.size());
     baked->own_normals_.push_back(to_world(FaceNormal(i)));
     for (size_t corner = 0; corner < 3; ++corner) {
-      if (!HasNormal(i, corner)) baked->own_normal_corners_[i][corner] = place;
+      if (!HasNormal(i, corner)) corners[i][corner] = place;
     }
+  }
+  if (!corners.empty()) {
+    baked->own_normal_corners_ = std::make_shared<const std::vector<Corners>>(std::move(corners));
+    baked->normal_corners_ = *baked->own_normal_corners_;
   }
   baked->normals_ = baked->own_normals_;
 }

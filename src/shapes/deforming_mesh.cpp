@@ -16,7 +16,10 @@ Vec3 Between(Vec3 begin, Vec3 end, float time) {
 
 DeformingMesh::DeformingMesh(std::shared_ptr<const MeshSpec> begin,
                              std::shared_ptr<const MeshSpec> end)
-    : spec_(begin), begin_(std::move(begin)), end_(end), positions_(spec_->positions) {
+    : spec_(begin),
+      begin_(std::move(begin), Mesh::FaceNormals::kKeep),
+      end_(end, Mesh::FaceNormals::kKeep),
+      positions_(spec_->positions) {
   positions_.insert(positions_.end(), end->positions.begin(), end->positions.end());
   bounds_ = begin_.ObjectBounds();
   bounds_.Extend(end_.ObjectBounds());

@@ -41,12 +41,16 @@ std::shared_ptr<const Shape> Mesh::Create(ParamReader* params, ShapeContext* con
   return mesh;
 }
 
-Mesh::Mesh(std::shared_ptr<const MeshSpec> spec)
+Mesh::Mesh(std::shared_ptr<const MeshSpec> spec, FaceNormals face_normals)
     : spec_(std::move(spec)),
       positions_(spec_->positions),
       normals_(spec_->normals),
       normal_corners_(spec_->normal_corners) {
-  if (spec_->normal_corners.empty()) ComputeVertexNormals();
+  if (spec_->normal_corners.empty()) {
+    ComputeVertexNormals();
+  } else if (face_normals == FaceNormals::kLeaveOut) {
+    LeaveOutFaceNormals();
+  }
   ComputeBounds();
 }
 
@@ -67,6 +71,35 @@ void Mesh::ComputeVertexNormals() {
   for (const Vec3d& sum : sums) own_normals_.push_back(UnitOrZero(sum));
   normals_ = own_normals_;
   normal_corners_ = spec_->triangles;
+}
+
+/// Whether all corners have the normal of the face, up to the digits that files are written with.
+bool Mesh::HasFaceNormal(size_t triangle) const {
+  constexpr double kSameAngle = 2e-4;
+  const auto& [i, j, k] = normal_corners_[triangle];
+  if (i == MeshSpec::kNoNormal || j == MeshSpec::kNoNormal || k == MeshSpec::kNoNormal)
+    return false;
+  if (normals_[i] != normals_[j] || normals_[j] != normals_[k]) return false;
+  const auto& [a, b, c] = spec_->triangles[triangle];
+  const Vec3d face = TriangleCross(positions_[a], positions_[b], positions_[c]);
+  const Vec3d n = ToDouble(normals_[i]);
+  const double cosine = Dot(face, n);  // Times both lengths, as the sine.
+  return cosine > 0 && Length(Cross(face, n)) <= kSameAngle * cosine;
+}
+
+/// Files give flat faces normals as well. Where there are none, nothing is blended or lifted. It is
+/// worth a list of its own only where most faces are flat.
+void Mesh::LeaveOutFaceNormals() {
+  const size_t count = spec_->triangles.size();
+  size_t flat = 0;
+  for (size_t i = 0; i < count; ++i) flat += HasFaceNormal(i) ? 1 : 0;
+  if (flat <= count / 2) return;
+  std::vector<Corners> left(normal_corners_.begin(), normal_corners_.end());
+  for (size_t i = 0; i < count; ++i) {
+    if (HasFaceNormal(i)) left[i].fill(MeshSpec::kNoNormal);
+  }
+  own_normal_corners_ = std::make_shared<const std::vector<Corners>>(std::move(left));
+  normal_corners_ = *own_normal_corners_;
 }
 
 bool Mesh::HasNormal(size_t triangle, size_t corner) const {
@@ -127,9 +160,10 @@ std::optional<TriangleInput> Mesh::Triangles() const {
 
 uint64_t Mesh::MemoryBytes() const {
   const auto bytes = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
-  return sizeof *this + bytes(own_positions_) + bytes(own_normals_) + bytes(own_normal_corners_) +
-         bytes(spec_->positions) + bytes(spec_->normals) + bytes(spec_->triangles) +
-         bytes(spec_->normal_corners) + bytes(spec_->uvs) + bytes(spec_->uv_corners);
+  return sizeof *this + bytes(own_positions_) + bytes(own_normals_) +
+         (own_normal_corners_ ? bytes(*own_normal_corners_) : 0) + bytes(spec_->positions) +
+         bytes(spec_->normals) + bytes(spec_->triangles) + bytes(spec_->normal_corners) +
+         bytes(spec_->uvs) + bytes(spec_->uv_corners);
 }
 
 void Mesh::AddTextureCoordinates(const HitRecord& hit, SurfacePoint* point) const {

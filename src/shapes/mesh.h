@@ -19,7 +19,14 @@ struct ShapeContext;
 /// more; vertices at the same place with different indices stay apart.
 class Mesh final : public Shape {
  public:
-  explicit Mesh(std::shared_ptr<const MeshSpec> spec);
+  /// What happens to normals of a file that only say that the face is flat.
+  enum class FaceNormals {
+    kLeaveOut,  ///< Where most faces are flat: what has none is flat to the last bit.
+    kKeep,      ///< For meshes between which others are blended.
+  };
+
+  explicit Mesh(std::shared_ptr<const MeshSpec> spec,
+                FaceNormals face_normals = FaceNormals::kLeaveOut);
   /// Null when its file could not be loaded. Objects of the same file get the same mesh. With a
   /// second file it is a `DeformingMesh`.
   static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);
@@ -49,6 +56,8 @@ class Mesh final : public Shape {
 
   void ComputeBounds();
   void ComputeVertexNormals();
+  void LeaveOutFaceNormals();
+  bool HasFaceNormal(size_t triangle) const;
   void BakeNormals(const Mat4& object_from_world, Mesh* baked) const;
   bool HasNormal(size_t triangle, size_t corner) const;
   Vec3 FaceNormal(size_t triangle) const;
@@ -63,7 +72,7 @@ class Mesh final : public Shape {
 
   // What the spans above refer to where it is not a part of the spec.
   std::vector<Vec3> own_positions_, own_normals_;
-  std::vector<Corners> own_normal_corners_;
+  std::shared_ptr<const std::vector<Corners>> own_normal_corners_;  ///< Baked meshes share them.
 };
 
 }  // namespace candela

@@ -206,6 +206,50 @@ TEST(MeshNormals, WithoutAnyTheNormalIsExactlyThatOfTheFace) {
   }
 }
 
+/// A square in the plane 3 x + 4 y + 5 z = 0, of two triangles, each with one normal.
+MeshSpec Square(Vec3 first, Vec3 second) {
+  MeshSpec spec;
+  spec.positions = {{0, 0, 0}, {5, 0, -3}, {5, 5, -7}, {0, 5, -4}};
+  spec.triangles = {{0, 1, 2}, {0, 2, 3}};
+  spec.normals = {first, second};
+  spec.normal_corners = {{0, 0, 0}, {1, 1, 1}};
+  return spec;
+}
+
+const Ray kFirst({4, 1, 9}, {0, 0, -1}), kSecond({1, 4, 9}, {0, 0, -1});
+
+// Flat faces have normals in files as well, with few digits.
+TEST(MeshNormals, ThatOnlySayThatFacesAreFlatAreLeftOut) {
+  const Mesh mesh = MeshOf(Square({0.4243f, 0.5657f, 0.7071f}, {3, 4, 5}));
+  for (const Ray& ray : {kFirst, kSecond}) {
+    const SurfacePoint point = SurfaceSeenBy(mesh, ray);
+    EXPECT_EQ(point.n_shading, point.n_geometric);
+    EXPECT_NEAR(point.n_shading.z, std::sqrt(0.5f), 1e-6f);
+  }
+}
+
+// What is baked outlives what it was made of.
+TEST(MeshNormals, ThatAreLeftOutAreLeftOutOfBakedMeshes) {
+  std::shared_ptr<const Shape> baked;
+  {
+    const Mesh mesh = MeshOf(Square({3, 4, 5}, {3, 4, 5}));
+    baked = mesh.Baked(Mat4::Scale({1, 2, 1}));
+  }
+  HitRecord hit;
+  ASSERT_TRUE(baked->Intersect(kFirst, &hit));
+  const SurfacePoint point = baked->SurfaceAt(kFirst, hit);
+  EXPECT_EQ(point.n_shading, point.n_geometric);
+}
+
+TEST(MeshNormals, ThatLeanStayAndSoDoAFewOthers) {
+  const Vec3 face{3, 4, 5}, leaning{3, 4, 5.01f};
+  const Mesh mesh = MeshOf(Square(leaning, face));
+  EXPECT_EQ(SurfaceSeenBy(mesh, kFirst).n_shading, leaning);
+  EXPECT_EQ(SurfaceSeenBy(mesh, kSecond).n_shading, face);
+  const Mesh inside_out = MeshOf(Square(-face, -face));
+  EXPECT_EQ(SurfaceSeenBy(inside_out, kFirst).n_shading, -face);
+}
+
 TEST(MeshNormals, OnesThatCancelGiveThatOfTheFace) {
   const Mesh mesh = MeshOf(WithNormals({{1, 0, 0}, {-1, 0, 0}}, {0, 0, 1}));
   EXPECT_EQ(SurfaceSeenBy(mesh, kMiddle).n_shading, (Vec3{0, 0, 1}));

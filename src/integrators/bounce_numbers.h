@@ -15,7 +15,7 @@ namespace candela {
 
 /// The random numbers for one bounce of one path from the camera.
 struct BounceNumbers {
-  DirectionNumbers direction{{}};
+  DirectionNumbers direction{Vec2()};
   Vec2 light_point;
   float light_choice = 0;
   float roulette = 0;

@@ -9,9 +9,9 @@ inline constexpr double kPi = 3.14159265358979323846;
 // and bit operations, and fmod, whose result is always exact.
 //
 // Errors of the double versions, measured by tests/math/elementary_test.cpp: sines, cosines and
-// tangents are within 0.9 ulp, everything else within 0.55 ulp (subnormal results within 1 ulp).
-// The float versions, but for `SinCosOfEighthTurn`, round a double result once: nearly all of them
-// are correctly rounded.
+// tangents are within 0.9 ulp, everything else within 0.55 ulp (subnormal results within 1 ulp),
+// but for `SinCos` and `FastAtan2`. The float versions, but for `SinCosOfEighthTurn`, round a
+// double result once: nearly all of them are correctly rounded.
 //
 // NaN gives NaN, and so does an argument outside the domain. All functions may be called
 // concurrently.

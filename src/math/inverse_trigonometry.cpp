@@ -63,7 +63,7 @@ DoubleDouble Complement(double x) {
   return square.hi > 0 ? Sqrt(square) : DoubleDouble{0};
 }
 
-/// The same in plain double, to about 1e-15. For 0 <= y, not both 0 or infinite.
+/// The same in plain double, to about 1e-15. For 0 <= y, both finite and not both 0.
 double FastAngle(double y, double x) {
   const double abs_x = std::abs(x);
   const bool is_steep = y > abs_x;

@@ -36,7 +36,7 @@ SphericalRectangle::Turn SphericalRectangle::SideTurn(double x) const {
 /// The solid angle of the part from x0 to x.
 double SphericalRectangle::AngleUpTo(double x) const {
   const Turn sum = SideTurn(x) * first_side_.Back();
-  if (sum.re == 0 && sum.im == 0) return 0;
+  if (!(std::abs(sum.re) + std::abs(sum.im) > 0)) return 0;  // Nor is there a way to NaN.
   const double angle = FastAtan2(sum.im, sum.re);
   if (angle >= 0) return angle;
   // Over the rectangle itself it is above half a turn; seen from elsewhere just below 0 is 0, by

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/check.h"
 #include "base/run_vectorized.h"
 
 namespace candela {
@@ -83,6 +84,7 @@ Vec3 SampleCosineHemisphere(Vec2 u) {
 }
 
 void SampleCosineHemisphere(std::span<const Vec2> u, std::span<Vec3> directions) {
+  DCHECK(u.size() == directions.size());
   constexpr size_t kTogether = 64;
   for (size_t begin = 0; begin < u.size(); begin += kTogether) {
     const size_t count = std::min(kTogether, u.size() - begin);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "sampling/spherical_rectangle.h"
 #include "sampling/warp.h"

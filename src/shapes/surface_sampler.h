@@ -68,14 +68,15 @@ inline SurfaceSample SampleByArea(const Vec3& from, const Vec3& p, const Vec3& n
   SurfaceSample sample;
   sample.direction = way * (1 / distance);
   sample.n = n;
-  // The divisions below do not wait for the one above.
+  // The divisions below do not wait for the one above, and no product leaves the range of floats
+  // before distances do.
   const float height = std::abs(Dot(n, way));  // Distance times cosine.
   // Rounding moves points by so much; a slanted surface is met that much earlier.
   const float rounding =
       (MaxAbs(from) + MaxAbs(p)) * 4e-6f * distance / (height + 0.001f * distance);
   sample.distance = distance - rounding - distance * 1e-5f;
   if (!(sample.distance > 0) || !(height > kEdgeOnCosine * distance)) return sample;
-  sample.pdf = squared * distance / (static_cast<float>(area) * height);
+  sample.pdf = (squared / static_cast<float>(area)) * (distance / height);
   return sample;
 }
 
@@ -86,7 +87,7 @@ inline float PdfByArea(const Vec3& from, const Vec3& p, const Vec3& n, double ar
   const float distance = std::sqrt(squared);
   const float height = std::abs(Dot(n, way));  // Distance times cosine.
   if (!(height > kEdgeOnCosine * distance)) return 0;
-  return squared * distance / (static_cast<float>(area) * height);
+  return (squared / static_cast<float>(area)) * (distance / height);
 }
 
 /// The sample of a point of a surface, which rays may leave: its error is bounded for a surface, or

@@ -279,6 +279,35 @@ TEST_P(EverySampledShape, AreaGrowsWithTheSquareOfItsSize) {
   EXPECT_NEAR(SamplerOf(*doubled)->Area() / SamplerOf(*plain)->Area(), 4, 1e-5);
 }
 
+// Cubes of lengths would leave the range of floats here.
+TEST_P(EverySampledShape, IsDrawnAlikeAtEveryScale) {
+  const auto usual_scene = SceneOfShape(GetParam().example);
+  const auto usual = SamplerOf(*usual_scene);
+  for (const auto& [text, scale] :
+       {std::pair("scale 1.1368683772161603e-13 1.1368683772161603e-13 "
+                  "1.1368683772161603e-13",
+                  0x1p-43f),
+        std::pair("scale 8796093022208 8796093022208 8796093022208", 0x1p43f)}) {
+    const auto scene = SceneOfShape(GetParam().example, "", text);
+    const auto sampler = SamplerOf(*scene);
+    int drawn = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 from = PointAround(usual_scene->Bounds());
+      const Vec2 u = random_.NextPair();
+      const SurfaceSample expected = usual->Sample(from, u);
+      const SurfaceSample sample = sampler->Sample(from * scale, u);
+      ASSERT_EQ(sample.pdf > 0, expected.pdf > 0);
+      if (expected.pdf == 0) continue;
+      ++drawn;
+      ASSERT_NEAR(sample.pdf / expected.pdf, 1, 1e-3);
+      const Vec3 p = from + expected.direction * expected.distance;
+      ASSERT_NEAR(sampler->Pdf(from * scale, p * scale, sample.n) / usual->Pdf(from, p, expected.n),
+                  1, 1e-3);
+    }
+    EXPECT_GT(drawn, 100);
+  }
+}
+
 TEST_P(EverySampledShape, FromItsOwnSurfaceNothingStrangeIsDrawn) {
   ForPlacements([this](const Scene& scene, const SurfaceSampler& sampler, const Bounds3& box) {
     int hits = 0;

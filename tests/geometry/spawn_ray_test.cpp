@@ -13,6 +13,8 @@ TEST(NextFloat, IsTheNeighbourOnEitherSide) {
                         0x1p-126f, std::numeric_limits<float>::max()}) {
     EXPECT_EQ(NextFloat(x, 1), std::nextafter(x, INFINITY)) << x;
     EXPECT_EQ(NextFloat(x, -0.5f), std::nextafter(x, -INFINITY)) << x;
+    EXPECT_EQ(NextFloat(x, 0.0f), x);
+    EXPECT_EQ(NextFloat(x, -0.0f), x);
   }
 }
 

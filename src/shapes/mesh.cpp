@@ -77,8 +77,8 @@ void Mesh::ComputeVertexNormals() {
 bool Mesh::HasFaceNormal(size_t triangle) const {
   constexpr double kSameAngle = 2e-4;
   const auto& [i, j, k] = normal_corners_[triangle];
-  if (i == MeshSpec::kNoNormal || j == MeshSpec::kNoNormal || k == MeshSpec::kNoNormal)
-    return false;
+  constexpr uint32_t kNone = MeshSpec::kNoNormal;
+  if (i == kNone || j == kNone || k == kNone) return false;
   if (normals_[i] != normals_[j] || normals_[j] != normals_[k]) return false;
   const auto& [a, b, c] = spec_->triangles[triangle];
   const Vec3d face = TriangleCross(positions_[a], positions_[b], positions_[c]);

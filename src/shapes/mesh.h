@@ -27,6 +27,8 @@ class Mesh final : public Shape {
 
   explicit Mesh(std::shared_ptr<const MeshSpec> spec,
                 FaceNormals face_normals = FaceNormals::kLeaveOut);
+  Mesh(const Mesh&) = delete;  // Its spans would refer to the other one.
+  Mesh& operator=(const Mesh&) = delete;
   /// Null when its file could not be loaded. Objects of the same file get the same mesh. With a
   /// second file it is a `DeformingMesh`.
   static std::shared_ptr<const Shape> Create(ParamReader* params, ShapeContext* context);

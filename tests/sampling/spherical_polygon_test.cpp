@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "math/elementary.h"
@@ -153,6 +154,13 @@ TEST(SphericalRectangle, LooksTheSameAtEveryScale) {
       ASSERT_NEAR(place.y, expected.y, 1e-6f);
     }
   }
+}
+
+TEST(SphericalRectangle, IsNotSeenFromNowhere) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(SphericalRectangle({nan, 0, 1}, 1, 1).SolidAngle(), 0);
+  EXPECT_EQ(SphericalRectangle({0, 0, nan}, 1, 1).SolidAngle(), 0);
+  EXPECT_EQ(SphericalRectangle({0, 0, 0}, 1, 1).SolidAngle(), 0);  // From one of its corners.
 }
 
 TEST(SphericalRectangle, TellsRectanglesFromParallelograms) {

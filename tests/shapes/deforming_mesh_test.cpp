@@ -73,6 +73,27 @@ TEST(DeformingMesh, BlendsTheNormalsOfItsCorners) {
   EXPECT_EQ(mesh.SurfaceAt(ray, corner).n_shading, (Vec3{0, 0, 1} * 0.5f + at_end * 0.5f));
 }
 
+// Those of a file, too, where they only say of one of the meshes that it is flat.
+TEST(DeformingMesh, KeepsTheNormalsOfFlatFaces) {
+  const auto with_normal = [](Vec3 normal) {
+    auto spec = std::make_shared<MeshSpec>();
+    spec->positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    spec->triangles = {{0, 1, 2}};
+    spec->normals = {normal};
+    spec->normal_corners = {{0, 0, 0}};
+    return spec;
+  };
+  const Vec3 flat{0, 0, 2}, leaning{4, 0, 2};
+  const DeformingMesh mesh(with_normal(flat), with_normal(leaning));
+  HitRecord hit;
+  hit.primitive = 0;
+  Ray ray;
+  for (const float time : {0.0f, 0.5f, 1.0f}) {
+    ray.time = time;
+    EXPECT_EQ(mesh.SurfaceAt(ray, hit).n_shading, (Vec3{4 * time, 0, 2})) << time;
+  }
+}
+
 TEST(DeformingMesh, NeedsTheSameFaces) {
   EXPECT_EQ(DeformingMesh::FindDifference(*Raised(0), *Raised(1)), nullptr);
   MeshSpec other = *Raised(1);
